@@ -160,3 +160,50 @@ fn a_part_of_the_same_name_is_replaced_or_kept_and_its_menu_renames_and_removes_
     }
     assert!(!hand.has("Part Cool rim, layer") && hand.has("Part Rim, layer"));
 }
+
+/// Layers to begin with are parts, and a folder that others share is chosen, away and taken off.
+#[test]
+fn presets_and_a_shared_folder_are_in_the_library() {
+    let home = Home::new();
+    let [look, shared] = ["to.json", "team"].map(|name| home.file(name));
+    fs::write(&look, TO).unwrap();
+    fs::create_dir(&shared).unwrap();
+    let part = r#"{"name": "Team rim", "lights": {"key": {}}, "nodes": [
+        {"id": "rim", "kind": "light_layer", "values": {"light": "key"}}]}"#;
+    fs::write(shared.join("rim.json"), part).unwrap();
+    let mut hand = home.window(Some(&look));
+    hand.settle();
+    hand.tab("Library");
+    hand.press("Parts");
+    let search = hand.place("Search parts").center();
+    hand.click(search);
+    hand.type_text("half");
+    hand.settle();
+    hand.bring(Role::Button, "Part Half-tone shadow, layer");
+    let part = hand.place("Part Half-tone shadow, layer").center();
+    hand.double_click(part);
+    hand.settle();
+    assert_eq!(layers(&hand), ["half_tone_shadow", "body", "base"]);
+    hand.undo();
+    hand.settle();
+
+    hand.click(search);
+    hand.key_with(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
+    hand.type_text("team");
+    hand.settle();
+    assert!(!hand.has("Part Half-tone shadow, layer"));
+    hand.app_mut().answer_dialog(&shared);
+    hand.bring(Role::Button, "Choose a shared folder");
+    hand.press("Choose a shared folder");
+    hand.settle();
+    assert!(hand.has("Part Team rim, layer"));
+    fs::remove_dir_all(&shared).unwrap();
+    hand.press("Refresh");
+    hand.settle();
+    assert!(!hand.has("Part Team rim, layer"));
+    assert!(hand.says("Not there at the moment"));
+    let take_off = format!("Take off {}", shared.display());
+    hand.bring(Role::Button, &take_off);
+    hand.press(&take_off);
+    assert!(!hand.says("Not there at the moment"));
+}

@@ -595,7 +595,7 @@ fn a_layer_is_masked_clipped_and_freed_in_its_menu() {
     assert_eq!(mask.values.get("inverted"), Some(&Value::Bool(true)));
 
     hand.press("More of Specular");
-    hand.press("Remove mask");
+    hand.press("Unclip");
     hand.settle();
     assert!(opacity(&hand).is_none());
     for _ in 0..4 {

@@ -9,7 +9,7 @@ use eframe::egui::{OpenUrl, Ui};
 use super::App;
 use super::files::PendingAction;
 use super::look_export::address_of;
-use crate::commands::{LibraryCommand, PanelId, PartSpot};
+use crate::commands::{FilePurpose, LibraryCommand, PanelId, PartSpot};
 use crate::document::GraphId;
 use crate::ids::{NodeId, ObjectId, PortName};
 use crate::state::parts::placing::{self, Placement, Recipient, rebase};
@@ -48,11 +48,15 @@ impl App {
                 ui.ctx().open_url(OpenUrl::new_tab(address_of(folder)));
             }
             LibraryCommand::Place(part, spot) => self.place_part(&part, &spot),
-            LibraryCommand::AddFolder(folder) => self.safety.change_settings(|settings| {
-                if !settings.library_folders.contains(&folder) {
-                    settings.library_folders.push(folder);
-                }
-            }),
+            LibraryCommand::AddFolder(None) => self.dialogs.ask(FilePurpose::LibraryFolder, None),
+            LibraryCommand::AddFolder(Some(folder)) => {
+                let folder = absolute(&folder);
+                self.safety.change_settings(|settings| {
+                    if !settings.library_folders.contains(&folder) {
+                        settings.library_folders.push(folder);
+                    }
+                });
+            }
             LibraryCommand::RemoveFolder(folder) => self.safety.change_settings(|settings| {
                 settings.library_folders.retain(|other| *other != folder);
             }),

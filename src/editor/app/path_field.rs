@@ -196,6 +196,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Comparison => tr!("Compare with a look or a picture"),
         FilePurpose::Frames => tr!("Compare with frames or a document"),
         FilePurpose::FrameFolder => tr!("Render frames into a folder"),
+        FilePurpose::LibraryFolder => tr!("Add a shared folder to the library"),
         FilePurpose::Colors => tr!("Take the views of an OpenColorIO configuration"),
     }
 }
@@ -215,6 +216,9 @@ fn verdict(purpose: FilePurpose, path: &Path) -> PathEffect {
         _ if path.as_os_str().is_empty() => PathEffect::Bad(tr!("Type a path")),
         _ if purpose.is_folder() && path.is_file() => {
             PathEffect::Bad(tr!("This is a file, and no folder"))
+        }
+        _ if purpose == FilePurpose::LibraryFolder && !path.is_dir() => {
+            PathEffect::Bad(tr!("There is no such folder"))
         }
         _ if purpose.is_folder() && !has_folder => {
             PathEffect::Bad(tr!("There is no folder to make this one in"))

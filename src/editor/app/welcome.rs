@@ -10,8 +10,8 @@ use crate::app::dialogs::{Answer, DialogKind};
 use crate::app::path_field::PathField;
 use crate::app::tour::{self, Tour};
 use crate::commands::{
-    Command, DisplayCommand, FilePurpose, FilmCommand, PaintCommand, SceneCommand, TourTopic,
-    ViewCommand, is_image,
+    Command, DisplayCommand, FilePurpose, FilmCommand, LibraryCommand, PaintCommand, SceneCommand,
+    TourTopic, ViewCommand, is_image,
 };
 use crate::panels::PanelContext;
 use crate::panels::start::{self, Start};
@@ -168,6 +168,7 @@ impl App {
             }
             FilePurpose::Frames => Command::CompareFrames(Some(path)),
             FilePurpose::FrameFolder => Command::Film(FilmCommand::ChooseFolder(Some(path))),
+            FilePurpose::LibraryFolder => Command::Library(LibraryCommand::AddFolder(Some(path))),
         };
         chosen.into_iter().map(command).collect()
     }

@@ -44,6 +44,8 @@ pub(crate) enum FilePurpose {
     Frames,
     /// A folder to render frames into.
     FrameFolder,
+    /// A folder of parts that others share.
+    LibraryFolder,
     /// Configuration of OpenColorIO.
     Colors,
 }
@@ -83,7 +85,7 @@ impl FilePurpose {
                     ExchangeFormat::Ktx2 => ("KTX2", &["ktx2"]),
                 }
             }
-            Self::Shaders(_) | Self::FrameFolder => (tr!("Folder"), &[]),
+            Self::Shaders(_) | Self::FrameFolder | Self::LibraryFolder => (tr!("Folder"), &[]),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Image => {
                 (tr!("Image, or lamp file"), &["png", "jpg", "jpeg", "exr", "hdr", LAMP_FILE])
@@ -118,6 +120,7 @@ impl FilePurpose {
         match self {
             Self::Shaders(_)
             | Self::FrameFolder
+            | Self::LibraryFolder
             | Self::ExportPainting(ExchangeFormat::Folder, _) => true,
             Self::ImportPainting(import) => import.form == ExchangeFormat::Folder,
             _ => false,

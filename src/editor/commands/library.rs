@@ -25,8 +25,8 @@ pub(crate) enum LibraryCommand {
     ShowFile(PathBuf),
     /// Puts a part into the look.
     Place(Arc<Part>, PartSpot),
-    /// Adds a folder that others share.
-    AddFolder(PathBuf),
+    /// Adds a folder that others share, or asks for one.
+    AddFolder(Option<PathBuf>),
     /// Takes a folder off the list; its files stay.
     RemoveFolder(PathBuf),
 }

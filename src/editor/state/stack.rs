@@ -1,19 +1,26 @@
 //! A look as a stack of layers: the chain through `below` ports from the Output's color down to a
 //! node that is no layer, and the graph edits that edits of the stack stand for.
+//!
+//! Nodes that change the one color that goes through them, such as *Posterize*, are adjustments:
+//! layers without a mode and an opacity, where they lie over layers or over a base.
 
 pub(crate) mod mask;
+pub(crate) mod normals;
 pub(crate) mod tree;
 
 use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;
 
-use crate::catalog::{Catalog, NodeKind};
+use crate::catalog::{Catalog, NodeKind, Port};
 use crate::document::{Endpoint, Look, Wire};
-use crate::ids::NodeId;
+use crate::ids::{NodeId, PortName};
+use crate::library::Type;
 
 /// Name of the input that makes a node a layer, and of the output that goes on.
 pub(crate) const BELOW: &str = "below";
+/// Kind of the node that stacks begin with.
+const BASE: &str = "base";
 /// Distance from one layer to the next on the canvas, in points.
 const STEP: f64 = 260.0;
 
@@ -26,6 +33,29 @@ pub(crate) struct Layer {
     outlet: Endpoint,
     /// Input that takes the stack below: the node's own, or that of a reroute before it.
     inlet: Endpoint,
+    /// The node's own input of the stack below.
+    input: PortName,
+}
+
+impl Layer {
+    /// The layer of a node, without reroutes.
+    fn of(id: NodeId, outlet: PortName, input: PortName) -> Self {
+        let end = |port: &PortName| Endpoint { node: id.clone(), port: port.clone() };
+        Self { outlet: end(&outlet), inlet: end(&input), input, id }
+    }
+
+    /// True for a node that changes what is below and lays nothing over it.
+    pub(crate) fn is_adjustment(&self) -> bool {
+        self.input.as_str() != BELOW
+    }
+}
+
+/// State of a stack before adjustments that lie on no layer, as far as it is known.
+struct Untouched<'l> {
+    count: usize,
+    inlet: Endpoint,
+    ground: Endpoint,
+    seen: Vec<&'l NodeId>,
 }
 
 /// A look as a stack of layers.
@@ -63,14 +93,19 @@ impl Stack {
     ) -> Self {
         let graph = &look.graph;
         let mut stack = Self { output: Some(at.node.clone()), ..Self::default() };
+        let mut untouched: Option<Untouched<'l>> = None;
         loop {
             let wire = into.get(&at);
             let found =
                 wire.and_then(|wire| Some((*wire, graph.nodes.get_key_value(&wire.from.node)?)));
             let kind = found.and_then(|(_, (_, node))| catalog.of(node));
-            if let (Some((wire, (id, _))), Some(kind)) = (found, kind) {
+            if let (Some((wire, (id, node))), Some(kind)) = (found, kind) {
                 let is_new = seen.insert(id);
                 stack.is_on_other = !is_new;
+                let is_on_layer = is_layer(kind, wire);
+                if is_on_layer || !is_new || node.kind == BASE {
+                    untouched = None;
+                }
                 if kind.is_reroute
                     && is_new
                     && let Some(input) = kind.inputs.first()
@@ -78,19 +113,39 @@ impl Stack {
                     at = Endpoint { node: id.clone(), port: input.name.clone() };
                     continue;
                 }
-                if is_new && is_layer(kind, wire) {
+                let input = match is_on_layer {
+                    true => Some(PortName::new(BELOW)),
+                    false => adjusted(kind, wire, into).map(|port| port.name.clone()),
+                };
+                if let Some(input) = input.filter(|_| is_new) {
+                    if !is_on_layer {
+                        let before = untouched.get_or_insert_with(|| Untouched {
+                            count: stack.layers.len(),
+                            inlet: at.clone(),
+                            ground: wire.from.clone(),
+                            seen: Vec::new(),
+                        });
+                        before.seen.push(id);
+                    }
                     stack.close(at);
-                    at = Endpoint::new(id.clone(), BELOW);
-                    stack.layers.push(Layer {
-                        id: id.clone(),
-                        outlet: wire.from.clone(),
-                        inlet: at.clone(),
-                    });
+                    let layer = Layer::of(id.clone(), wire.from.port.clone(), input);
+                    at = layer.inlet.clone();
+                    stack.layers.push(layer);
                     continue;
                 }
             }
-            stack.close(at);
-            stack.ground = found.map(|(wire, _)| wire.from.clone());
+            let ground = found.map(|(wire, _)| wire.from.clone());
+            if let Some(before) = untouched {
+                for id in &before.seen {
+                    seen.remove(id);
+                }
+                stack.layers.truncate(before.count);
+                stack.close(before.inlet);
+                stack.ground = Some(before.ground);
+            } else {
+                stack.close(at);
+                stack.ground = ground;
+            }
             return stack;
         }
     }
@@ -101,6 +156,11 @@ impl Stack {
             Some(layer) => layer.inlet = inlet,
             None => self.head = Some(inlet),
         }
+    }
+
+    /// Layer of a node.
+    pub(crate) fn layer(&self, id: &NodeId) -> Option<&Layer> {
+        self.layers.iter().find(|layer| layer.id == *id)
     }
 
     /// Index of a node among the layers.
@@ -179,6 +239,25 @@ fn is_layer(kind: &NodeKind, wire: &Wire) -> bool {
     takes && gives.is_some() && kind.output(wire.from.port.as_str()) == gives
 }
 
+/// The input whose color a node changes and gives on: its first color, where no other one is
+/// wired.
+fn adjusted<'k>(
+    kind: &'k NodeKind,
+    wire: &Wire,
+    into: &HashMap<&Endpoint, &Wire>,
+) -> Option<&'k Port> {
+    let is_color = |port: &&Port| matches!(port.ty, Type::Color | Type::Composite);
+    let outlet = kind.output(wire.from.port.as_str()).map(|index| &kind.outputs[index]);
+    outlet.filter(is_color)?;
+    let is_wired = |port: &Port| {
+        let end = Endpoint { node: wire.from.node.clone(), port: port.name.clone() };
+        into.contains_key(&end)
+    };
+    let mut colors = kind.inputs.iter().filter(is_color);
+    let first = colors.next().filter(|port| is_wired(port))?;
+    (!colors.any(is_wired)).then_some(first)
+}
+
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
@@ -213,6 +292,32 @@ pub(crate) mod tests {
         let (look, catalog) = setup(LOOK);
         assert_eq!(order(&look, &catalog), ["c", "b", "a"]);
         assert_eq!(Stack::of(&look, &catalog).ground, Some(Endpoint::new("base", "")));
+    }
+
+    /// Nodes that change a whole stack are layers of it, and those that change a picture are not.
+    #[test]
+    fn layers_are_found_under_adjustments() {
+        let with_wires = |wires: &str| {
+            let nodes = r#"[{"id": "steps", "kind": "posterize"}, {"id": "inks", "kind": "palette"},
+                {"id": "photo", "kind": "image"}, {"id": "both", "kind": "mix_colors"},"#;
+            let text = LOOK.replacen('[', nodes, 1);
+            setup(&text.replace(r#"{"from": "c", "to": "output.color"}"#, wires))
+        };
+        let of = |wires: &[[&str; 2]]| {
+            let wire = |[from, to]: &[&str; 2]| format!(r#"{{"from": "{from}", "to": "{to}"}}"#);
+            let (look, catalog) = with_wires(&wires.iter().map(wire).collect::<Vec<_>>().join(","));
+            (order(&look, &catalog), Stack::of(&look, &catalog))
+        };
+        let over = [["inks", "output.color"], ["steps", "inks.color"]];
+        let (found, stack) = of(&[over[0], over[1], ["c", "steps.color"]]);
+        assert_eq!(found, ["inks", "steps", "c", "b", "a"]);
+        assert_eq!(stack.ground, Some(Endpoint::new("base", "")));
+        assert_eq!(stack.layers.iter().filter(|layer| layer.is_adjustment()).count(), 2);
+        let (found, stack) = of(&[over[0], over[1], ["photo", "steps.color"]]);
+        assert_eq!((found.len(), stack.ground), (0, Some(Endpoint::new("inks", ""))));
+        assert_eq!(stack.head, Some(Endpoint::new("output", "color")));
+        let (found, _) = of(&[["both", "output.color"], ["c", "both.a"], ["photo", "both.b"]]);
+        assert_eq!(found, [""; 0], "two colors come together");
     }
 
     #[test]

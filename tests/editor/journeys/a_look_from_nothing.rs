@@ -47,7 +47,7 @@ fn figure_1_is_built_layer_by_layer() {
     // The lowest layer: a tint everywhere.
     artist.press("Base Base");
     artist.press("Add layer");
-    artist.press("Add Fill");
+    artist.press("Add Ambient");
     artist.set_color("Convex color", "#16131f");
     artist.set_color("Concave color", "#08060d");
 
@@ -82,7 +82,7 @@ fn figure_1_is_built_layer_by_layer() {
         "{:?}",
         artist.app().session().compilation().problems()
     );
-    let rows = ["Back-light", "Specular", "Diffuse", "Fill"]
+    let rows = ["Back-light", "Specular", "Diffuse", "Ambient"]
         .map(|name| artist.place(&format!("Layer {name}")).min.y);
     assert!(
         rows.windows(2).all(|pair| pair[0] < pair[1]),
@@ -104,7 +104,7 @@ fn figure_1_is_built_layer_by_layer() {
     artist.picture().equals(&own);
 
     let wgsl = studio.finish(artist, "figure1.json");
-    for name in ["fill", "diffuse", "specular", "back_light"] {
+    for name in ["ambient", "diffuse", "specular", "back_light"] {
         assert!(wgsl.contains(name), "the code calls the layer {name} as the artist does");
     }
 }

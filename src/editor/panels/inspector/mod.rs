@@ -1,6 +1,7 @@
 //! Inspector: all values of the selected node that can be set, with names, units and help.
 
 mod interface;
+mod roughness;
 
 use chiaro_locale::{Text, text, tr, tr_in, trn};
 use eframe::egui;
@@ -99,6 +100,7 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     ui.add_space(4.0);
     name_row(ui, subject, out);
     presets(ui, subject, out);
+    roughness::row(ui, subject, out);
     ui.separator();
     let wanted = search(ui, kind);
     let field = EdgeField::of_node(session, id, kind);

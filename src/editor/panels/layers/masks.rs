@@ -1,8 +1,9 @@
 //! Masks in the menu of a layer.
 
-use chiaro_locale::{tr, tr_in};
+use chiaro_locale::tr;
 use eframe::egui::{Button, Ui};
 
+use super::row::title_of;
 use super::select;
 use crate::commands::{Command, MaskCommand};
 use crate::document::{Edit, GraphId, Value};
@@ -44,37 +45,60 @@ pub(super) fn menu(
                 out.push(Command::Mask(MaskCommand::Paint(layer.clone())));
             }
         }
-        let help = tr!("Takes the mask away, with what feeds it alone; the opacity stays");
-        if ui.button(tr!("Remove mask")).on_hover_text(help).clicked() {
+        let clip = tree.clip_of(look, &session.project.catalog, layer);
+        if let Some(clip) = clip.as_ref().filter(|clip| clip.is_stale) {
+            let name = title_of(session, &clip.base);
+            let help = tr!("{name} has got further layers: shows it where those are, too");
+            if ui.button(tr!("Clip anew")).on_hover_text(help).clicked() {
+                let anew = tree.clip_anew(look, &session.project.catalog, (layer, clip));
+                out.extend(anew.map(Command::Edit));
+            }
+        }
+        let (label, help) = match clip {
+            Some(clip) => (
+                tr!("Unclip"),
+                tr!(
+                    "Shows it where {name} is not, too (Ctrl+Alt+G)",
+                    name = title_of(session, &clip.base)
+                ),
+            ),
+            None => (
+                tr!("Remove mask"),
+                tr!("Takes the mask away, with what feeds it alone; the opacity stays").to_owned(),
+            ),
+        };
+        if ui.button(label).on_hover_text(help).clicked() {
             out.extend(stack.unmask(look, layer).map(Command::Edit));
         }
         return;
     }
     let catalog = &session.project.catalog;
     let is_free = mask::is_free(look, catalog, layer);
-    let name_of = |id: &NodeId| {
-        let node = look.graph.nodes.get(id);
-        let name = node.map(|node| match node.name.is_empty() {
-            true => {
-                catalog.of(node).map_or(String::new(), |kind| tr_in("node", &kind.label).to_owned())
-            }
-            false => node.name.clone(),
-        });
-        name.unwrap_or_default()
-    };
+    let name_of = |id: &NodeId| title_of(session, id);
     let taken = tr!("Its opacity comes by a wire already: put a Mask node into that wire");
     let clipping = tree.clipping(look, catalog, layer);
     let help = match (&clipping, is_free) {
         (_, false) => taken.to_owned(),
-        (Some((below, _)), _) => tr!("Shows it only where {name} is", name = name_of(below)),
-        (None, _) => tr!("The layer below has no tone that says where it is").to_owned(),
+        (Some((below, _)), _) if tree.is_folder(below) => tr!(
+            "Shows it only where a layer is that lies in {name} now, within its masks (Ctrl+Alt+G)",
+            name = name_of(below)
+        ),
+        (Some((below, _)), _) => tr!(
+            "Shows it only where {name} is, within its mask (Ctrl+Alt+G)",
+            name = name_of(below)
+        ),
+        (None, _) => tr!(
+            "The layer or folder below is everywhere, so that nothing would be hidden, or there is \
+             none"
+        )
+        .to_owned(),
     };
     let button = Button::new(tr!("Clip to the layer below"));
     let clip = ui.add_enabled(is_free && clipping.is_some(), button);
     if clip.on_hover_text(&help).on_disabled_hover_text(&help).clicked()
-        && let Some((_, tone)) = clipping
+        && let Some((_, coverage)) = clipping
     {
-        add(session, Stack::mask_by(look, layer, tone), out);
+        add(session, Stack::mask_by(look, layer, &coverage), out);
     }
     ui.add_enabled_ui(is_free, |ui| {
         let shown = ui.menu_button(tr!("Mask by"), |ui| {
@@ -93,21 +117,42 @@ pub(super) fn menu(
                     add(session, stack.mask(look, layer, source), out);
                 }
             }
-            let tones = tree.tones(look, catalog, layer);
-            if !tones.is_empty() {
+            let coverages = tree.coverages(look, catalog, layer);
+            if !coverages.is_empty() {
                 ui.separator();
             }
-            for (id, tone) in tones {
-                let text = tr!("Tone of {name}", name = name_of(&id));
+            for (id, coverage) in coverages {
+                let text = match tree.is_folder(&id) {
+                    true => tr!("Tones in {name}", name = name_of(&id)),
+                    false => tr!("Tone of {name}", name = name_of(&id)),
+                };
                 if ui.button(text).on_hover_text(tr!("Shows it only where that layer is")).clicked()
                 {
-                    add(session, Stack::mask_by(look, layer, tone), out);
+                    add(session, Stack::mask_by(look, layer, &coverage), out);
                 }
             }
         });
         let help = tr!("Hides parts of the layer: white shows it, black hides it");
         shown.response.on_hover_text(help).on_disabled_hover_text(taken);
     });
+}
+
+/// Clips a layer to what is below, or frees it again; leaves one with another mask as it is.
+pub(super) fn toggle_clip(
+    session: &Session,
+    tree: &LayerTree,
+    layer: &NodeId,
+    out: &mut Vec<Command>,
+) {
+    let (look, catalog) = (session.look(), &session.project.catalog);
+    if tree.clip_of(look, catalog, layer).is_some() {
+        let stack = tree.stack_of(layer);
+        out.extend(stack.and_then(|stack| stack.unmask(look, layer)).map(Command::Edit));
+    } else if mask::is_free(look, catalog, layer)
+        && let Some((_, coverage)) = tree.clipping(look, catalog, layer)
+    {
+        out.push(Command::Edit(Stack::mask_by(look, layer, &coverage).1));
+    }
 }
 
 /// Adds a mask, and selects it.

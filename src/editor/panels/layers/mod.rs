@@ -27,8 +27,8 @@ use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::parts::saving::PartChoice;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
-use crate::state::stack::BELOW;
 use crate::state::stack::tree::{LayerPlace, LayerTree, TreeRow};
+use crate::state::stack::{BELOW, normals};
 use crate::state::worker::BackgroundJobs;
 use crate::values;
 use crate::viewport::solo_bar;
@@ -38,7 +38,8 @@ use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 use drop::DropTarget;
-use presets::{LayerPreset, PRESETS};
+use presets::PRESETS;
+pub(crate) use presets::{LayerPreset, preset_parts};
 use row::{FolderRow, ROW, Row};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
@@ -253,7 +254,8 @@ impl Layers {
             true => "alpha".to_owned(),
             false => String::new(),
         });
-        let texture = texture(&mut self.pictures, ui, session, thumbs, id, Some(&mode));
+        let mode = (!self.tree.is_adjustment(id)).then_some(mode);
+        let texture = texture(&mut self.pictures, ui, session, thumbs, id, mode.as_deref());
         let is_dragged = self.dragged.contains(id);
         let shown = shown_row.show(ui, rect, texture, is_dragged, &mut self.renaming, out);
         if shown.is_fold_toggled {
@@ -323,6 +325,14 @@ impl Layers {
             let choice = PartChoice::Layers(vec![id.clone()]);
             out.push(Command::Library(LibraryCommand::Offer(choice)));
         }
+        let graph = &session.look().graph;
+        let kind = graph.nodes.get(id).and_then(|node| session.project.catalog.of(node));
+        let help = tr!("Puts a Smooth normal node before it, so that rough scans are lit calmly");
+        if kind.is_some_and(|kind| normals::are_plain(graph, kind, id))
+            && entry(ui, tr!("Smooth normals"), help, true)
+        {
+            out.push(Command::Edit(normals::smooth(graph, &GraphId::Look, id)));
+        }
         if entry(ui, tr!("Show on the canvas"), tr!("Brings its node into view"), true) {
             out.push(Command::Show(crate::ids::NodePath::root(id.clone())));
         }
@@ -340,8 +350,10 @@ impl Layers {
             }
         }
         ui.separator();
-        masks::menu(ui, session, &self.tree, id, out);
-        ui.separator();
+        if !self.tree.is_adjustment(id) {
+            masks::menu(ui, session, &self.tree, id, out);
+            ui.separator();
+        }
         let help = tr!("Takes it out; the others close up (Del)");
         if entry(ui, if is_one { tr!("Delete layer") } else { tr!("Delete layers") }, help, true) {
             out.push(Command::Edit(self.tree.remove(session.look(), &acting)));
@@ -429,7 +441,9 @@ impl Layers {
             self.duplicate(session, &id, out);
         }
         let acting = self.acting(session, &id);
-        if pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::G) {
+        if pressed(Modifiers::COMMAND | Modifiers::ALT, Key::G) {
+            masks::toggle_clip(session, &self.tree, &id, out);
+        } else if pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::G) {
             out.extend(self.tree.ungroup(session.look(), &acting).map(Command::Edit));
         } else if pressed(Modifiers::COMMAND, Key::G) {
             self.group(session, &id, out);

@@ -1,12 +1,16 @@
 //! Layers to begin with: those that painters and shading artists know by name, with the values of
 //! the Profile node's own presets where it has them, and otherwise those of the BADF paper's looks.
 
+use std::sync::{Arc, LazyLock};
+
 use chiaro_locale::{Text, text};
 use glam::DVec3;
 
 use crate::catalog::Catalog;
 use crate::document::{Edit, Interpolation, Light, Look, Node, Ramp, RampStop, Value};
 use crate::ids::{LightId, NodeId, make_slug};
+use crate::library::Library;
+use crate::state::parts::{Part, shipped_part};
 use crate::state::session::Session;
 
 /// Light of the look that a layer is made for.
@@ -20,6 +24,8 @@ enum LightChoice {
     Nothing,
 }
 
+/// Direction to a light in front of the object.
+const FRONT: [f64; 3] = [-0.5, 0.7, 0.6];
 /// Direction to a light behind the object, in the camera's axes: right, up and to the eye.
 const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
 /// Range of the cosine of the angle between the eye and a light that gives a rim: a light in front
@@ -37,10 +43,10 @@ enum PresetValue {
 }
 
 /// Layer to begin with.
-pub(super) struct LayerPreset {
+pub(crate) struct LayerPreset {
     /// Name of the preset, and in English of the new layer.
-    pub(super) name: Text,
-    pub(super) help: Text,
+    pub(crate) name: Text,
+    pub(crate) help: Text,
     /// Kind of the layer's node.
     kind: &'static str,
     /// Preset of the Profile node that supplies values.
@@ -56,7 +62,20 @@ use PresetValue::{Bands, Number, Word};
 pub(super) static PRESETS: [LayerPreset; 13] = [
     LayerPreset {
         name: text!("layer" => "Fill"),
-        help: text!("Ambient light: a tint everywhere, so that nothing is black"),
+        help: text!(
+            "One color over all that lies below, whatever the light: what is picked is what is seen"
+        ),
+        kind: "blend",
+        profile: None,
+        values: &[("color", Word("#8d8a93")), ("mode", Word("alpha"))],
+        light: LightChoice::Nothing,
+    },
+    LayerPreset {
+        name: text!("Ambient"),
+        help: text!(
+            "Ambient light: a faint tint added everywhere, so that nothing is black; hollows have \
+             a color of their own"
+        ),
         kind: LIGHT_LAYER,
         profile: Some("Ambient"),
         values: &[
@@ -110,8 +129,8 @@ pub(super) static PRESETS: [LayerPreset; 13] = [
         kind: LIGHT_LAYER,
         profile: Some("Half-Lambert"),
         values: &[
+            // One color: where the light is, and in hollows there, all stays as it is.
             ("convex", Word("#ffffff")),
-            ("concave", Word("#d8d2e6")),
             ("blend", Word("multiply")),
             ("opacity", Number(0.6)),
         ],
@@ -229,11 +248,8 @@ impl LayerPreset {
         beside: Option<&NodeId>,
     ) -> (Vec<Edit>, NodeId, Node) {
         let look = session.look();
-        let mut node = Node {
-            kind: self.kind.to_owned(),
-            name: free_name(look, self.name.english()),
-            ..Node::default()
-        };
+        let mut node = self.node(&session.project.catalog);
+        node.name = free_name(look, self.name.english());
         let light = match self.light {
             LightChoice::Front => Some(front_light(look, beside)),
             LightChoice::Behind => Some(back_light(session)),
@@ -243,11 +259,14 @@ impl LayerPreset {
         if let Some(light) = light {
             node.values.insert("light".into(), Value::Text(light.to_string()));
         }
-        for (port, value) in
-            self.profile.map(|label| profile(&session.project.catalog, label)).unwrap_or_default()
-        {
-            node.values.insert(port, value);
-        }
+        let id = NodeId::new(make_slug(&node.name, |slug| look.graph.nodes.contains_key(slug)));
+        (edits.unwrap_or_default(), id, node)
+    }
+
+    /// Node of the layer, without a name and a light.
+    fn node(&self, catalog: &Catalog) -> Node {
+        let mut node = Node { kind: self.kind.to_owned(), ..Node::default() };
+        node.values.extend(self.profile.iter().flat_map(|label| profile(catalog, label)));
         for (port, value) in self.values {
             let value = match value {
                 Number(number) => Value::Number(*number),
@@ -256,9 +275,40 @@ impl LayerPreset {
             };
             node.values.insert((*port).into(), value);
         }
-        let id = NodeId::new(make_slug(&node.name, |slug| look.graph.nodes.contains_key(slug)));
-        (edits.unwrap_or_default(), id, node)
+        node
     }
+
+    /// Part of the library that is the layer with the light that it is for.
+    fn part(&self, catalog: &mut Catalog) -> Arc<Part> {
+        let name = self.name.english();
+        let mut node = Node { name: name.to_owned(), ..self.node(catalog) };
+        let mut look = Look {
+            name: name.to_owned(),
+            about: self.help.english().to_owned(),
+            ..Look::default()
+        };
+        let light = match self.light {
+            LightChoice::Front => Some(("key", FRONT)),
+            LightChoice::Behind => Some(("back", BACK.to_array())),
+            LightChoice::Nothing => None,
+        };
+        if let Some((id, direction)) = light {
+            look.lights.insert(id.into(), Light { direction, ..Light::default() });
+            node.values.insert("light".into(), Value::Text(id.to_owned()));
+        }
+        let slug = make_slug(name, |_| false);
+        look.graph.nodes.insert(NodeId::new(slug.clone()), node);
+        shipped_part(&format!("layer-{slug}"), look, catalog)
+    }
+}
+
+/// Presets as parts of the library, made once.
+pub(crate) fn preset_parts() -> &'static [(&'static LayerPreset, Arc<Part>)] {
+    static PARTS: LazyLock<Vec<(&'static LayerPreset, Arc<Part>)>> = LazyLock::new(|| {
+        let mut catalog = Catalog::new(Library::built_in());
+        PRESETS.iter().map(|preset| (preset, preset.part(&mut catalog))).collect()
+    });
+    &PARTS
 }
 
 /// Ramp of flat colors.
@@ -303,7 +353,7 @@ fn front_light(look: &Look, beside: Option<&NodeId>) -> (LightId, Vec<Edit>) {
         .or(look.lights.first());
     match found {
         Some((id, _)) => (id.clone(), Vec::new()),
-        None => add_light("key", [-0.5, 0.7, 0.6], look),
+        None => add_light("key", FRONT, look),
     }
 }
 
@@ -337,7 +387,7 @@ fn add_light(name: &str, direction: [f64; 3], look: &Look) -> (LightId, Vec<Edit
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::library::Library;
+    use crate::state::parts::PartKind;
 
     #[test]
     fn a_back_light_is_behind_what_is_seen_however_lights_and_camera_were_turned() {
@@ -359,6 +409,24 @@ mod tests {
             let is_behind = light.direction[2] < 0.0;
             assert!(!is_behind || back_light(&session) == (id, Vec::new()), "one is enough");
             session.undo();
+        }
+    }
+
+    /// Every preset is a layer in the library, too, with a picture and the light that it needs.
+    #[test]
+    fn presets_are_parts_of_the_library() {
+        let library = Library::built_in();
+        let mut catalog = Catalog::new(library);
+        for (preset, part) in preset_parts() {
+            let content = part.content.as_ref().unwrap();
+            assert_eq!(content.kind, PartKind::Layer, "{}", part.name);
+            assert!(part.is_shipped() && content.shown.is_some(), "{}", part.name);
+            let lights = usize::from(preset.light != LightChoice::Nothing);
+            assert_eq!(content.look.lights.len(), lights, "{}", part.name);
+            let shown = content.shown.as_ref().unwrap();
+            catalog.sync(shown, library);
+            let checked = crate::compile::check(shown, library, None);
+            assert!(checked.is_ok(), "{}: {:?}", part.name, checked.err());
         }
     }
 

@@ -81,6 +81,17 @@ pub(super) fn focus_id(id: &NodeId) -> Id {
     Id::unique("layer").with(id.as_str())
 }
 
+/// Name of a layer as it is shown.
+pub(super) fn title_of(session: &Session, id: &NodeId) -> String {
+    let node = session.look().graph.nodes.get(id);
+    let known = node.and_then(|node| Some((node, session.project.catalog.of(node)?)));
+    known.map(|(node, kind)| title(node, kind)).unwrap_or_default()
+}
+
+fn title(node: &Node, kind: &NodeKind) -> String {
+    if node.name.is_empty() { tr_in("node", &kind.label).to_owned() } else { node.name.clone() }
+}
+
 impl Row<'_> {
     /// Word of the layer's blend mode.
     pub(super) fn mode(&self) -> Option<String> {
@@ -109,11 +120,7 @@ impl Row<'_> {
     }
 
     pub(super) fn title(&self) -> String {
-        if self.node.name.is_empty() {
-            tr_in("node", &self.kind.label).to_owned()
-        } else {
-            self.node.name.clone()
-        }
+        title(self.node, self.kind)
     }
 
     /// Shows a layer.
@@ -176,9 +183,15 @@ impl Row<'_> {
             tr!("Duplicate, move, delete"),
         );
         let mut below = row_in(ui, lower, "values");
-        self.blending(&mut below, &title, out);
-        self.mask(&mut below, &title, out);
-        self.opacity(&mut below, &title, out);
+        if self.tree.is_adjustment(self.id) {
+            let text = tr!("changes all that lies below");
+            let text = RichText::new(text).small().color(theme::of(&below).dim);
+            below.add(Label::new(text).selectable(false).truncate());
+        } else {
+            self.blending(&mut below, &title, out);
+            self.mask(&mut below, &title, out);
+            self.opacity(&mut below, &title, out);
+        }
         let mut help = changed.help();
         help += if help.is_empty() { "" } else { "\n" };
         help += tr!(
@@ -233,7 +246,7 @@ impl Row<'_> {
             let text = if is_base {
                 tr!("what is seen where no layer paints")
             } else {
-                tr!("a branch of the graph, not a layer")
+                tr!("a node of the graph: layers end here")
             };
             ui.add(
                 Label::new(RichText::new(text).small().color(theme::of(ui).dim))
@@ -241,7 +254,18 @@ impl Row<'_> {
                     .truncate(),
             );
         });
-        whole.on_hover_text(tr!("What the lowest layer lies on. A click selects its node."));
+        let help = match is_base {
+            true => tr!("What the lowest layer lies on. A click selects its node."),
+            false => tr!(
+                "Makes a color itself, or joins several: what feeds it is no single stack, and \
+                 is edited on the canvas. A click selects the node, a double click shows it; \
+                 with it selected, Add layer lays a layer over it."
+            ),
+        };
+        if whole.double_clicked() && !is_base {
+            out.push(Command::Show(NodePath::root(self.id.clone())));
+        }
+        whole.on_hover_text(help);
     }
 
     fn select(&self, ui: &Ui, whole: &Response, out: &mut Vec<Command>) {
@@ -481,10 +505,23 @@ impl Row<'_> {
     /// Shows that the layer has a mask; a click selects it.
     fn mask(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let Some((id, _)) = mask::of(self.session.look(), self.id) else { return };
-        let help =
-            tr!("Has a mask: white shows the layer, black hides it. A click selects the mask, to \
-                 set it in the inspector; the layer's menu inverts it and takes it away.");
-        if icon(ui, Icon::Mask, true, &tr!("Mask of {title}"), help).clicked() {
+        let (look, catalog) = (self.session.look(), &self.session.project.catalog);
+        // Found where somebody asks: what a layer is clipped to is read from the whole graph.
+        let is_asked = ui.rect_contains_pointer(ui.max_rect());
+        let clip = is_asked.then(|| self.tree.clip_of(look, catalog, self.id)).flatten();
+        let help = match clip {
+            Some(clip) => tr!(
+                "Clipped: shown only where {name} is. A click selects the mask; the layer's menu \
+                 frees it (Ctrl+Alt+G).",
+                name = title_of(self.session, &clip.base)
+            ),
+            None => tr!(
+                "Has a mask: white shows the layer, black hides it. A click selects the mask, to \
+                 set it in the inspector; the layer's menu inverts it and takes it away."
+            )
+            .to_owned(),
+        };
+        if icon(ui, Icon::Mask, true, &tr!("Mask of {title}"), &help).clicked() {
             super::select(self.session, vec![id.clone()], out);
         }
     }

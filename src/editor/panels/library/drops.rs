@@ -8,7 +8,7 @@ use super::part_card::DraggedPart;
 use crate::commands::{Command, LibraryCommand, PanelId, PartSpot};
 use crate::panels::Workbench;
 use crate::state::session::Session;
-use crate::state::stack::Stack;
+use crate::state::stack::tree::LayerTree;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
@@ -65,7 +65,8 @@ fn spot_at(
     at: Pos2,
 ) -> Option<(PartSpot, Option<Rect>)> {
     let hit = |spot: Spot| spots::find(ctx, &spot).filter(|rect| rect.contains(at));
-    for layer in Stack::of(session.look(), &session.project.catalog).layers {
+    let tree = LayerTree::of(session.look(), &session.project.catalog);
+    for layer in tree.rows(|_| false) {
         if let Some(rect) = hit(Spot::Layer(layer.id.clone())) {
             return Some((PartSpot::Layer(layer.id), Some(rect)));
         }

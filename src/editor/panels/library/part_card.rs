@@ -15,6 +15,7 @@ use super::drops;
 use super::upkeep::PartUpkeep;
 use crate::commands::{Command, LibraryCommand, PartSpot};
 use crate::document::{Look, Ramp, Value};
+use crate::panels::layers::{self, LayerPreset};
 use crate::state::crashes::DocumentOrigin;
 use crate::state::parts::{FoundParts, Part, PartKind};
 use crate::state::session::Session;
@@ -36,6 +37,8 @@ pub(super) struct PartCard {
     pub(super) folder: Option<PathBuf>,
     /// True where the folder's files can be read only.
     is_read_only: bool,
+    /// Preset of *Add layer* that the part is; `None` for others.
+    pub(super) preset: Option<&'static LayerPreset>,
     /// Look that the part is shown by, with the key of its picture; `None` where there is nothing
     /// to draw.
     look: Option<(Arc<Look>, u64)>,
@@ -51,7 +54,20 @@ impl PartCard {
         });
         let folder = found.map(|found| found.folder.clone());
         let is_read_only = found.is_some_and(|found| found.is_read_only);
-        Self { part: part.clone(), folder, is_read_only, look }
+        Self { part: part.clone(), folder, is_read_only, preset: None, look }
+    }
+
+    /// Card of a preset of *Add layer*.
+    pub(super) fn of_preset((preset, part): &(&'static LayerPreset, Arc<Part>)) -> Self {
+        Self { preset: Some(preset), ..Self::new(part, None) }
+    }
+
+    /// Name and description of the part, those of presets in the user's language.
+    pub(super) fn words(&self) -> [&str; 2] {
+        match self.preset {
+            Some(preset) => [preset.name.tr(), preset.help.tr()],
+            None => [&self.part.name, &self.part.about],
+        }
     }
 
     /// Shows the card, with a picture of this side in points.
@@ -67,7 +83,8 @@ impl PartCard {
         let (_, rect) = ui.allocate_space(vec2(side, side + NAME));
         let response = ui.interact(rect, id, Sense::click_and_drag());
         let word = self.part.content.as_ref().map_or(tr!("damaged"), |content| content.kind.word());
-        let label = tr!("Part {name}, {word}", name = self.part.name);
+        let [name, _] = self.words();
+        let label = tr!("Part {name}, {word}");
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
         if response.gained_focus() {
             response.scroll_to_me(None);
@@ -89,8 +106,13 @@ impl PartCard {
             response.request_focus();
         }
         if response.double_clicked() || is_pressed {
-            let place = LibraryCommand::Place(self.part.clone(), PartSpot::Selection);
-            out.push(Command::Library(place));
+            match self.preset {
+                Some(preset) => out.extend(layers::add_preset(session, preset.name.english())),
+                None => {
+                    let place = LibraryCommand::Place(self.part.clone(), PartSpot::Selection);
+                    out.push(Command::Library(place));
+                }
+            }
         }
         if self.folder.is_some() {
             self.keep_up(ui, (rect, side), &response, upkeep, out);
@@ -178,18 +200,19 @@ impl PartCard {
             let stroke = Stroke::new(1.5, theme::of(ui).accent);
             ui.painter().rect_stroke(picture, CornerRadius::same(3), stroke, StrokeKind::Inside);
         }
-        name_below(ui, rect, picture, &self.part.name, theme::of(ui).text);
+        name_below(ui, rect, picture, self.words()[0], theme::of(ui).text);
     }
 
     fn help(&self, ui: &mut Ui) {
         ui.set_max_width(320.0);
-        ui.label(eframe::egui::RichText::new(&self.part.name).strong());
+        let [name, about] = self.words();
+        ui.label(eframe::egui::RichText::new(name).strong());
         let mut tell = |text: &str| {
             if !text.is_empty() {
                 ui.label(text);
             }
         };
-        tell(&self.part.about);
+        tell(about);
         match &self.part.content {
             Ok(content) => tell(content.kind.help()),
             Err(why) => tell(why),

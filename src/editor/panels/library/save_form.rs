@@ -110,10 +110,15 @@ impl SaveForm {
     ) {
         let PartDraft { kind, look, .. } = &self.draft;
         let is_read_only = there.is_some_and(|found| found.is_read_only);
-        let is_ready = chosen.is_some() && !look.name.trim().is_empty() && !is_read_only;
-        let why_not = match is_read_only {
-            true => tr!("You may not write to this folder"),
-            false => tr!("Give it a name first"),
+        // A folder of a server that is away would be made anew, where nobody looks for it.
+        let is_away = chosen.is_some_and(|shelf| shelf.is_shared)
+            && there.is_some_and(|found| !found.is_there);
+        let is_open = !is_read_only && !is_away;
+        let is_ready = chosen.is_some() && !look.name.trim().is_empty() && is_open;
+        let why_not = match (is_away, is_read_only) {
+            (true, _) => tr!("This folder is not there at the moment"),
+            (false, true) => tr!("You may not write to this folder"),
+            (false, false) => tr!("Give it a name first"),
         };
         let button = |ui: &mut Ui, label: &str| {
             ui.add_enabled(is_ready, Button::new(label)).on_disabled_hover_text(why_not)

@@ -5,9 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
-use eframe::egui::{
-    Button, ComboBox, Label, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::{ComboBox, Label, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
 
 use super::super::thumbs::Thumbs;
 use super::cards;
@@ -16,6 +14,7 @@ use super::save_form::SaveForm;
 use super::upkeep::PartUpkeep;
 use super::words;
 use crate::commands::{Command, LibraryCommand};
+use crate::panels::layers::preset_parts;
 use crate::state::parts::saving::{PartChoice, PartDraft, keepable};
 use crate::state::parts::{FOLDER, FoundParts, Part, PartKind, PartsReader, shipped};
 use crate::state::safety::Safety;
@@ -35,7 +34,7 @@ pub(super) struct Shelf {
     pub(super) title: String,
     pub(super) folder: PathBuf,
     /// True for a folder that can be taken off the list.
-    is_shared: bool,
+    pub(super) is_shared: bool,
 }
 
 /// Parts of the library, and the form that saves one.
@@ -50,10 +49,10 @@ pub(crate) struct SavedParts {
     found: Vec<FoundParts>,
     kind: Option<PartKind>,
     cards: Vec<PartCard>,
+    /// Cards of the presets of *Add layer*.
+    presets: Vec<PartCard>,
     form: Option<SaveForm>,
     upkeep: PartUpkeep,
-    /// Path of a shared folder that is being typed.
-    typed: String,
 }
 
 impl BackgroundJobs for SavedParts {
@@ -80,9 +79,9 @@ impl SavedParts {
             found: Vec::new(),
             kind: None,
             cards: Vec::new(),
+            presets: Vec::new(),
             form: None,
             upkeep: PartUpkeep::default(),
-            typed: String::new(),
         }
     }
 
@@ -116,6 +115,9 @@ impl SavedParts {
         (query, thumbs): (&str, &Thumbs),
     ) -> Vec<Command> {
         let shelves = shelves(session, safety);
+        if self.presets.is_empty() {
+            self.presets = preset_parts().iter().map(PartCard::of_preset).collect();
+        }
         self.read(ui, session, &shelves);
         let mut out = Vec::new();
         if self.form.as_mut().is_some_and(|form| form.show(ui, &shelves, &self.found, &mut out)) {
@@ -129,14 +131,18 @@ impl SavedParts {
             for shelf in &shelves {
                 count += self.shelf(ui, session, shelf, (query, thumbs), &mut upkeep, &mut out);
             }
+            let search = (query, thumbs);
+            title(ui, tr!("Add layer"), None, &mut out);
+            count += self.grid(ui, session, self.presets.iter(), search, &mut upkeep, &mut out);
             title(ui, tr!("Comes with Chiaro"), None, &mut out);
-            count += self.grid(ui, session, None, (query, thumbs), &mut upkeep, &mut out);
+            let shipped = self.in_folder(None);
+            count += self.grid(ui, session, shipped, search, &mut upkeep, &mut out);
             upkeep.ask(ui, &mut out);
             self.upkeep = upkeep;
             if count == 0 {
                 hint(ui, tr!("No part has these words in its name, its tags or its description"));
             }
-            self.folders(ui, safety, &mut out);
+            shared_folders(ui, &mut out);
         });
         out
     }
@@ -217,18 +223,27 @@ impl SavedParts {
         }
         match found {
             None => hint(ui, tr!("reading…")),
+            Some(found) if shelf.is_shared && !found.is_there => {
+                hint(ui, tr!("Not there at the moment: its parts come back with the folder"));
+            }
             Some(found) if found.parts.is_empty() => hint(ui, tr!("Nothing is saved here yet")),
             Some(_) => {}
         }
-        self.grid(ui, session, Some(&shelf.folder), search, upkeep, out)
+        let cards = self.in_folder(Some(&shelf.folder));
+        self.grid(ui, session, cards, search, upkeep, out)
     }
 
-    /// Shows the parts of a folder, or of Chiaro, that are found; returns their number.
-    fn grid(
+    /// Cards of the parts of a folder, or of those that Chiaro ships.
+    fn in_folder(&self, folder: Option<&PathBuf>) -> impl Iterator<Item = &PartCard> {
+        self.cards.iter().filter(move |card| card.folder.as_ref() == folder)
+    }
+
+    /// Shows those of some parts that are found; returns their number.
+    fn grid<'c>(
         &self,
         ui: &mut Ui,
         session: &Session,
-        folder: Option<&PathBuf>,
+        cards: impl Iterator<Item = &'c PartCard>,
         (query, thumbs): (&str, &Thumbs),
         upkeep: &mut PartUpkeep,
         out: &mut Vec<Command>,
@@ -236,17 +251,19 @@ impl SavedParts {
         let is_kind = |part: &Part| {
             self.kind.is_none_or(|kind| part.content.as_ref().is_ok_and(|found| found.kind == kind))
         };
-        let with_rank = |card: &'_ PartCard| {
+        let with_rank = |card: &PartCard| {
             let part = &card.part;
             let kind = part.content.as_ref().ok().map(|content| content.kind.text());
             let kind = kind.map(|kind| format!("{} {}", kind.english(), kind.tr()));
             let kind = kind.unwrap_or_default();
-            words::rank(query, &[&part.name, &part.tags, &kind, &part.about])
+            // Presets are found by English words, too.
+            let [name, about] = card.words();
+            let names = format!("{name} {}", part.name);
+            let abouts = format!("{about} {}", part.about);
+            words::rank(query, &[&names, &part.tags, &kind, &abouts])
         };
-        let mut found: Vec<(usize, &PartCard)> = self
-            .cards
-            .iter()
-            .filter(|card| card.folder.as_ref() == folder && is_kind(&card.part))
+        let mut found: Vec<(usize, &PartCard)> = cards
+            .filter(|card| is_kind(&card.part))
             .filter_map(|card| Some((with_rank(card)?, card)))
             .collect();
         found.sort_by_key(|(rank, _)| *rank);
@@ -260,31 +277,24 @@ impl SavedParts {
         }
         found.len()
     }
+}
 
-    /// Shows the field that adds a shared folder.
-    fn folders(&mut self, ui: &mut Ui, safety: &Safety, out: &mut Vec<Command>) {
-        ui.add_space(GAP);
-        ui.label(RichText::new(tr!("Shared folders")).strong())
-            .on_hover_text(tr!("Folders that others save to as well, such as one on a server"));
-        ui.horizontal(|ui| {
-            let width = (ui.available_width() - 60.0).max(60.0);
-            let edit = TextEdit::singleline(&mut self.typed)
-                .hint_text(tr!("Path of a folder"))
-                .desired_width(width);
-            let response = ui.add(edit);
-            response.widget_info(|| {
-                WidgetInfo::labeled(Role::TextInput, true, tr!("Path of a shared folder"))
-            });
-            let path = PathBuf::from(self.typed.trim());
-            let is_new = path.is_absolute() && !safety.settings.library_folders.contains(&path);
-            let button = ui.add_enabled(is_new, Button::new(tr!("Add folder")));
-            let help = tr!("A whole path, from the root on, that is not in the list yet");
-            if button.on_disabled_hover_text(help).clicked() {
-                self.typed.clear();
-                out.push(Command::Library(LibraryCommand::AddFolder(path)));
-            }
-        });
-    }
+/// Shows the button that adds a shared folder.
+fn shared_folders(ui: &mut Ui, out: &mut Vec<Command>) {
+    ui.add_space(GAP);
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(tr!("Shared folders")).strong());
+        let help = tr!(
+            "Lists the parts of a folder that others save to as well, such as one on a server. \
+             They stay where they are: what is put into a look is a copy, and says so"
+        );
+        let button = ui.button(tr!("Choose…")).on_hover_text(help);
+        button
+            .widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Choose a shared folder")));
+        if button.clicked() {
+            out.push(Command::Library(LibraryCommand::AddFolder(None)));
+        }
+    });
 }
 
 /// Shows the title of a folder.

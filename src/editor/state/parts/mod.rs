@@ -27,7 +27,7 @@ use crate::ids::NodeId;
 use crate::library::Library;
 use crate::state::stack::BELOW;
 pub(crate) use reader::{FoundParts, PartsReader};
-pub(crate) use shipped::shipped;
+pub(crate) use shipped::{shipped, shipped_part};
 
 /// Name of the folder of parts beside a project's looks, and among the user's own files.
 pub(crate) const FOLDER: &str = "library";

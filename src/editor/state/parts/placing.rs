@@ -15,7 +15,8 @@ use crate::ids::{DefinitionId, LightId, NodeId, PortName, make_slug};
 use crate::library::{Library, Type};
 use crate::state::problem_text::sentence;
 use crate::state::reading::of_library;
-use crate::state::stack::{BELOW, Stack};
+use crate::state::stack::BELOW;
+use crate::state::stack::tree::{LayerJoint, LayerTree};
 
 /// Distance from one layer to the next on the canvas, in points.
 const STEP: f64 = 260.0;
@@ -56,26 +57,18 @@ pub(crate) fn layer(
     (name, part): (&str, &Look),
     over: Option<&NodeId>,
 ) -> Result<Placement, String> {
-    let stack = Stack::of(to.look, to.catalog);
-    if !stack.has_output() {
+    let tree = LayerTree::of(to.look, to.catalog);
+    if !tree.has_output() {
         return Err(tr!("The look has no Output node, so that no layer can be laid on").to_owned());
     }
-    let found = over.and_then(|id| wire_over(to.look, &stack, id));
-    let top = || {
-        let first = stack.layers.first().map(|layer| &layer.id);
-        let first = first.or(stack.ground.as_ref().map(|ground| &ground.node));
-        first.and_then(|id| wire_over(to.look, &stack, id))
-    };
-    let (from, into) = match found.or_else(top) {
-        Some(wire) => (Some(wire.from.clone()), wire.to.clone()),
-        None => (None, stack.lowest_inlet().cloned().ok_or(tr!("There is no stack to lay it on"))?),
-    };
-    let below = from.as_ref().map(|from| title(to, &from.node));
+    let found = over.and_then(|id| tree.joint_over(Some(id))).or_else(|| tree.joint_over(None));
+    let joint = found.ok_or(tr!("There is no stack to lay it on"))?;
+    let below = joint.from.as_ref().map(|from| title(to, &from.node));
     let told = match below {
         Some(below) => tr!("\"{name}\" is copied into this look, over {below}"),
         None => tr!("\"{name}\" is copied into this look"),
     };
-    between(to, (name, part), from, into, told)
+    between(to, (name, part), joint, told)
 }
 
 /// Puts a part into a wire of the look's own graph.
@@ -89,15 +82,15 @@ pub(crate) fn in_wire(
 ) -> Result<Placement, String> {
     let [below, above] = [&wire.from, &wire.to].map(|end| title(to, &end.node));
     let told = tr!("\"{name}\" is copied into this look, between {below} and {above}");
-    between(to, (name, part), Some(wire.from.clone()), wire.to.clone(), told)
+    let (from, into) = (Some(wire.from.clone()), wire.to.clone());
+    between(to, (name, part), LayerJoint { from, into, others: Vec::new() }, told)
 }
 
-/// Puts a part between an output and an input, where there is room made for it; `told` says so.
+/// Puts a part between an output and inputs, where there is room made for it; `told` says so.
 fn between(
     to: Recipient<'_>,
     (name, part): (&str, &Look),
-    from: Option<Endpoint>,
-    into: Endpoint,
+    LayerJoint { from, into, others }: LayerJoint,
     told: String,
 ) -> Result<Placement, String> {
     // Groups of the part may have other names in the trial.
@@ -130,9 +123,10 @@ fn between(
     // What is one layer is called as the part is.
     let is_layer = ends.is_some_and(|[bottom, top]| bottom == top);
     edits.extend(rename(to.look, &trial, &outlet.node, is_layer.then_some(name)));
-    let wires =
-        [from.map(|from| Wire { from, to: inlet }), Some(Wire { from: outlet.clone(), to: into })];
-    edits.extend(wires.into_iter().flatten().map(|wire| Edit::AddWire {
+    let below = from.map(|from| Wire { from, to: inlet });
+    let above = std::iter::once(into).chain(others);
+    let above = above.map(|to| Wire { from: outlet.clone(), to });
+    edits.extend(below.into_iter().chain(above).map(|wire| Edit::AddWire {
         graph: GraphId::Look,
         wire,
         index: None,
@@ -284,24 +278,6 @@ fn paste(
     at: Option<[f64; 2]>,
 ) -> Result<grouping::PastedFragment, String> {
     grouping::paste_text(look, graph, &part.to_text(), at).map_err(|problem| sentence(&problem))
-}
-
-/// The wire by which a layer, or the ground, gives its stack on.
-fn wire_over<'l>(look: &'l Look, stack: &Stack, id: &NodeId) -> Option<&'l Wire> {
-    let is_stack = |port: &PortName| port.as_str().is_empty() || port.as_str() == BELOW;
-    let is_ground = stack.ground.as_ref().is_some_and(|ground| ground.node == *id);
-    let mut wires = look.graph.wires.iter().filter(|wire| wire.from.node == *id);
-    let leads_on = |wire: &&Wire| {
-        let node = look.graph.nodes.get(&wire.to.node);
-        wire.to.port.as_str() == BELOW
-            || node.is_some_and(|node| matches!(node.kind.as_str(), "output" | "reroute"))
-    };
-    wires.clone().filter(|wire| is_ground || is_stack(&wire.from.port)).find(leads_on).or_else(
-        || {
-            // A stack within a folder goes into another input.
-            wires.find(|wire| is_stack(&wire.from.port))
-        },
-    )
 }
 
 /// Free input and output of placed nodes by which they can be put between two others.

@@ -30,6 +30,8 @@ pub(crate) struct FoundParts {
     pub(crate) folder: PathBuf,
     /// Parts by name.
     pub(crate) parts: Vec<Arc<Part>>,
+    /// False for a folder that is not there, such as one on a server that cannot be reached.
+    pub(crate) is_there: bool,
     /// Reason why parts may lack; `None` where all are there.
     pub(crate) lacking: Option<String>,
     /// True where no file can be made in the folder.
@@ -91,6 +93,7 @@ fn found_in(
     if files.metadata(folder).is_none() {
         return found;
     }
+    found.is_there = true;
     // Permissions do not tell everything: a trial does. The file has no name on Linux, and is gone
     // at once elsewhere.
     found.is_read_only = tempfile::tempfile_in(folder).is_err();

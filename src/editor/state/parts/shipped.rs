@@ -25,14 +25,18 @@ const TEXTS: [(&str, &str); 9] = [
     ("skin-ramp", include_str!("shipped/skin-ramp.json")),
 ];
 
+/// Part that Chiaro ships: a look, under the stem of a file that is nowhere.
+pub(crate) fn shipped_part(stem: &str, look: Look, catalog: &mut Catalog) -> Arc<Part> {
+    let path = Path::new(PREFIX).join(format!("{stem}.json"));
+    Arc::new(of_look(&path, look, catalog))
+}
+
 /// The shipped parts, read once.
 pub(crate) fn shipped() -> &'static [Arc<Part>] {
     static PARTS: LazyLock<Vec<Arc<Part>>> = LazyLock::new(|| {
         let mut catalog = Catalog::new(Library::built_in());
         let part = |(stem, text): &(&str, &str)| {
-            let look = Look::read(text, stem).value?;
-            let path = Path::new(PREFIX).join(format!("{stem}.json"));
-            Some(Arc::new(of_look(&path, look, &mut catalog)))
+            Some(shipped_part(stem, Look::read(text, stem).value?, &mut catalog))
         };
         TEXTS.iter().filter_map(part).collect()
     });

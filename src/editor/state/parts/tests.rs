@@ -12,6 +12,7 @@ use crate::files::Disk;
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::state::stack::Stack;
+use crate::state::stack::tree::LayerTree;
 use crate::state::worker::BackgroundJobs as _;
 
 /// Look with a layer that is masked and lit by a group of its own.
@@ -139,6 +140,29 @@ fn a_layer_goes_from_one_look_to_another_through_the_library() {
     assert!(placing::layer(to(&bare, &catalog), ("Rim", look_of(part)), None).is_err());
 }
 
+/// Layers in a pass-through folder lie on what is below the folder, and so on a new layer there.
+#[test]
+fn a_layer_is_laid_under_a_folder_and_into_one() {
+    let (mut look, catalog) = read(TO);
+    let tree = LayerTree::of(&look, &catalog);
+    let (folder, edit) = tree.group(&look, &["top".into()]).unwrap();
+    look.apply(edit).unwrap();
+    let part = shipped().iter().find(|part| part.name == "Cel shadow").unwrap();
+    let part = ("Cel shadow", look_of(part));
+    for (over, own, source) in [
+        ("rim", vec![folder.as_str(), "cel_shadow", "rim"], "cel_shadow"),
+        ("top", vec![folder.as_str(), "rim"], "rim"),
+    ] {
+        let mut look = look.clone();
+        let placed = placing::layer(to(&look, &catalog), part, Some(&over.into())).unwrap();
+        look.apply(placed.edit).unwrap();
+        assert_eq!(order(&look), own, "over {over}");
+        let below = |id: &str| look.graph.wire_into(&id.into(), &"below".into()).unwrap();
+        assert_eq!(below("top").from.node.as_str(), source, "over {over}");
+        assert_eq!(below(folder.as_str()).from.node.as_str(), source, "over {over}");
+    }
+}
+
 #[test]
 fn a_part_goes_into_a_wire_that_it_fits() {
     let (mut look, catalog) = read(TO);
@@ -238,6 +262,7 @@ fn damaged_and_huge_files_say_so_and_others_are_there() {
     assert_eq!(found.parts.len(), 7, "hidden folders and other files are no parts");
     let missing = super::tests::found(&home.path().join("none"));
     assert!(missing.parts.is_empty() && missing.lacking.is_none());
+    assert!(found.is_there && !missing.is_there, "an empty folder is there");
 }
 
 #[test]

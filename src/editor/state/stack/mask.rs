@@ -1,5 +1,7 @@
 //! Masks of layers: a *Mask* node in a layer's opacity, and what says where the layer is shown.
 
+use std::collections::{HashMap, HashSet};
+
 use chiaro_locale::{Text, text};
 
 use super::tree::LayerTree;
@@ -13,8 +15,13 @@ const MASK: &str = "mask";
 pub(crate) const SHOWN: &str = "mask";
 pub(crate) const OPACITY: &str = "opacity";
 pub(crate) const INVERTED: &str = "inverted";
-/// Output of a layer that says where it is, and the input of a plain layer that does.
+/// Input of a plain layer that says where it is.
 const TONE: &str = "tone";
+/// Outputs of layers that say where they are.
+const TONES: [&str; 4] = [TONE, "ink", "line", "shadow"];
+/// Kinds of the nodes by which several outputs become one coverage.
+const PRODUCT: &str = "multiply";
+const GREATEST: &str = "maximum";
 /// Distance of what feeds a mask from the layer, downward, in points.
 const DROP: f64 = 240.0;
 
@@ -34,18 +41,22 @@ struct SourceNode {
     kind: &'static str,
     /// Input that the node before feeds.
     input: &'static str,
+    /// Output that feeds the next node; empty for the first.
+    output: &'static str,
     numbers: &'static [(&'static str, f64)],
+    /// Numbers for both parts of a pair.
+    pairs: &'static [(&'static str, f64)],
     words: &'static [(&'static str, &'static str)],
 }
 
 impl SourceNode {
     const fn of(kind: &'static str, input: &'static str) -> Self {
-        Self { kind, input, numbers: &[], words: &[] }
+        Self { kind, input, output: "", numbers: &[], pairs: &[], words: &[] }
     }
 }
 
 /// Sources, the ones that painters reach for first.
-pub(crate) static SOURCES: [MaskSource; 7] = [
+pub(crate) static SOURCES: [MaskSource; 9] = [
     MaskSource {
         name: text!("A picture"),
         help: text!(
@@ -53,6 +64,31 @@ pub(crate) static SOURCES: [MaskSource; 7] = [
              program. Choose the file in the inspector"
         ),
         chain: &[SourceNode { words: &[("encoding", "data")], ..SourceNode::of("image", "") }],
+        is_of_stack: false,
+    },
+    MaskSource {
+        name: text!("A picture from the front"),
+        help: text!(
+            "Laid straight through the object along its own z axis, which needs no UVs; the \
+             image's Scale and Offset place it, 0.5 and 0.5 for an object 2 high and wide"
+        ),
+        chain: &[
+            SourceNode { words: &[("space", "object")], ..SourceNode::of("position", "") },
+            SourceNode {
+                pairs: &[("scale", 0.5), ("offset", 0.5)],
+                words: &[("encoding", "data"), ("wrap", "clamp")],
+                ..SourceNode::of("image", "uv")
+            },
+        ],
+        is_of_stack: false,
+    },
+    MaskSource {
+        name: text!("A picture on the screen"),
+        help: text!("Lies on the whole picture, as the camera sees it, and needs no UVs"),
+        chain: &[
+            SourceNode { output: "uv", ..SourceNode::of("screen_place", "") },
+            SourceNode { words: &[("encoding", "data")], ..SourceNode::of("image", "uv") },
+        ],
         is_of_stack: false,
     },
     MaskSource {
@@ -130,40 +166,142 @@ pub(crate) fn is_free(look: &Look, catalog: &Catalog, layer: &NodeId) -> bool {
 /// The output that says where a layer is: its tone, or what is wired into it.
 fn tone_of(look: &Look, catalog: &Catalog, layer: &NodeId) -> Option<Endpoint> {
     let kind = catalog.of(look.graph.nodes.get(layer)?)?;
-    if kind.output(TONE).is_some() {
-        return Some(Endpoint::new(layer.clone(), TONE));
+    if let Some(tone) = TONES.iter().find(|name| kind.output(name).is_some()) {
+        return Some(Endpoint::new(layer.clone(), *tone));
     }
     look.graph.wire_into(layer, &PortName::new(TONE)).map(|wire| wire.from.clone())
 }
 
+/// Region in which a layer, or a folder of layers, is: the greatest of products of outputs. A
+/// product of nothing is everywhere.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Coverage(Vec<Vec<Endpoint>>);
+
+impl Coverage {
+    /// True for a region that leaves nothing out, or for that of an empty folder, which is nowhere.
+    pub(crate) fn is_idle(&self) -> bool {
+        self.0.is_empty() || self.0.iter().any(Vec::is_empty)
+    }
+
+    fn outputs(&self) -> impl Iterator<Item = &Endpoint> {
+        self.0.iter().flatten()
+    }
+}
+
+/// Clipping of a layer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Clip {
+    /// Layer or folder below that the layer is clipped to.
+    pub(crate) base: NodeId,
+    /// True for a folder that has got further layers since.
+    pub(crate) is_stale: bool,
+}
+
 impl LayerTree {
-    /// Other layers whose tone can mask a layer, from the top, each with the output.
-    pub(crate) fn tones(
+    /// Region in which a layer is: its tone, within its mask; of a folder all that its layers have.
+    fn coverage(&self, look: &Look, catalog: &Catalog, layer: &NodeId) -> Coverage {
+        let mut products = Vec::new();
+        let mut open = vec![(layer.clone(), Vec::new())];
+        while let Some((id, mut product)) = open.pop() {
+            let masked = look.graph.wire_into(&id, &PortName::new(OPACITY));
+            product.extend(masked.map(|wire| wire.from.clone()));
+            match self.layers_in(&id) {
+                Some(inner) => open.extend(inner.rev().map(|id| (id.clone(), product.clone()))),
+                None if self.is_adjustment(&id) => {}
+                None => {
+                    product.splice(0..0, tone_of(look, catalog, &id));
+                    products.push(product);
+                }
+            }
+        }
+        Coverage(products)
+    }
+
+    /// Other layers, and folders, that can mask a layer, from the top, each with its region.
+    pub(crate) fn coverages(
         &self,
         look: &Look,
         catalog: &Catalog,
         layer: &NodeId,
-    ) -> Vec<(NodeId, Endpoint)> {
-        let others = self.rows(|_| false).into_iter().filter(|row| row.id != *layer);
+    ) -> Vec<(NodeId, Coverage)> {
         // What depends on the layer itself would close a ring.
+        let above = dependents(look, layer);
+        let others = self.rows(|_| false).into_iter().filter(|row| row.id != *layer);
         let found = others.filter_map(|other| {
-            let tone = tone_of(look, catalog, &other.id)?;
-            (!depends_on(look, &tone.node, layer)).then_some((other.id, tone))
+            let coverage = self.coverage(look, catalog, &other.id);
+            let is_free = !coverage.outputs().any(|output| above.contains(&output.node));
+            (is_free && !coverage.is_idle()).then_some((other.id, coverage))
         });
         found.collect()
     }
 
-    /// The layer below and the output that clips a layer to it.
+    /// The layer or folder that a layer can be clipped to, and its region: the one below, or below
+    /// those that are clipped themselves, as paint programs have it.
     pub(crate) fn clipping(
         &self,
         look: &Look,
         catalog: &Catalog,
         layer: &NodeId,
-    ) -> Option<(NodeId, Endpoint)> {
+    ) -> Option<(NodeId, Coverage)> {
         let stack = self.stack_of(layer)?;
-        let below = stack.layers.get(stack.index_of(layer)? + 1)?;
-        self.tones(look, catalog, layer).into_iter().find(|(id, _)| *id == below.id)
+        let mut below = stack.layers.get(stack.index_of(layer)? + 1..)?.iter();
+        let base = below.find(|below| {
+            !below.is_adjustment() && self.clip_of(look, catalog, &below.id).is_none()
+        })?;
+        self.coverages(look, catalog, layer).into_iter().find(|(id, _)| *id == base.id)
     }
+
+    /// The clipping of a layer whose mask comes from a layer or folder below alone.
+    pub(crate) fn clip_of(&self, look: &Look, catalog: &Catalog, layer: &NodeId) -> Option<Clip> {
+        let (mask, _) = of(look, layer)?;
+        let source = &look.graph.wire_into(mask, &PortName::new(SHOWN))?.from;
+        let stack = self.stack_of(layer)?;
+        let below = stack.layers.get(stack.index_of(layer)? + 1..)?;
+        below.iter().find_map(|below| {
+            let base = below.id.clone();
+            let coverage = self.coverage(look, catalog, &base);
+            let known: HashSet<&Endpoint> = coverage.outputs().collect();
+            let used = made_of(look, source, &known).filter(|used| !used.is_empty())?;
+            Some(Clip { base, is_stale: used.len() < known.len() })
+        })
+    }
+
+    /// The edit that clips a layer anew to all that is in its folder now.
+    pub(crate) fn clip_anew(
+        &self,
+        look: &Look,
+        catalog: &Catalog,
+        (layer, clip): (&NodeId, &Clip),
+    ) -> Option<Edit> {
+        let freed = self.stack_of(layer)?.unmask(look, layer)?;
+        let mut now = look.clone();
+        now.apply(freed.clone()).ok()?;
+        let coverage = self.coverage(look, catalog, &clip.base);
+        let (_, clipped) = Stack::mask_by(&now, layer, &coverage);
+        Some(Edit::Group { edits: vec![freed, clipped] })
+    }
+}
+
+/// Those of some outputs that an output is, or is the product or the greatest of; `None` where
+/// anything else counts.
+fn made_of<'l>(
+    look: &'l Look,
+    output: &'l Endpoint,
+    known: &HashSet<&Endpoint>,
+) -> Option<HashSet<&'l Endpoint>> {
+    let (mut open, mut seen) = (vec![output], HashSet::new());
+    let mut used = HashSet::new();
+    while let Some(output) = open.pop() {
+        if known.contains(output) {
+            used.insert(output);
+        } else if seen.insert(&output.node) {
+            let kind = look.graph.nodes.get(&output.node).map(|node| node.kind.as_str());
+            kind.filter(|kind| [PRODUCT, GREATEST].contains(kind))?;
+            let sources = look.graph.wires.iter().filter(|wire| wire.to.node == output.node);
+            open.extend(sources.map(|wire| &wire.from));
+        }
+    }
+    Some(used)
 }
 
 impl Stack {
@@ -174,19 +312,36 @@ impl Stack {
         let count = source.chain.len();
         for (place, part) in source.chain.iter().enumerate() {
             let numbers = part.numbers.iter().map(|(port, x)| (*port, Value::Number(*x)));
+            let pairs = part.pairs.iter().map(|(port, x)| (*port, Value::Vector(vec![*x; 2])));
             let words = part.words.iter().map(|(port, word)| (*port, Value::Text((*word).into())));
-            let id = making.node(part.kind, numbers.chain(words), count - place);
+            let values = numbers.chain(pairs).chain(words);
+            let id = making.node(part.kind, values, count - place);
             if let Some(from) = from {
                 making.wire(from, &id, part.input);
             }
-            from = Some(Endpoint::new(id, ""));
+            from = Some(Endpoint::new(id, part.output));
         }
         making.finish(from)
     }
 
-    /// Masks a layer by an output.
-    pub(crate) fn mask_by(look: &Look, layer: &NodeId, from: Endpoint) -> (NodeId, Edit) {
-        MaskEdits::new(look, layer).finish(Some(from))
+    /// Masks a layer by where others are. Returns the new mask's id with the edit.
+    pub(crate) fn mask_by(look: &Look, layer: &NodeId, coverage: &Coverage) -> (NodeId, Edit) {
+        let mut making = MaskEdits::new(look, layer);
+        let products = coverage.0.iter().map(|product| product.len().saturating_sub(1));
+        let mut columns = products.sum::<usize>() + coverage.0.len().saturating_sub(1);
+        let mut greatest: Option<Endpoint> = None;
+        for product in &coverage.0 {
+            let mut outputs = product.iter().cloned();
+            let Some(mut part) = outputs.next() else { continue };
+            for other in outputs {
+                part = making.joined(PRODUCT, [part, other], &mut columns);
+            }
+            greatest = Some(match greatest {
+                None => part,
+                Some(before) => making.joined(GREATEST, [before, part], &mut columns),
+            });
+        }
+        making.finish(greatest)
     }
 
     /// Masks a layer by a picture beside the look. Returns the new mask's id with the edit.
@@ -227,18 +382,19 @@ impl Stack {
     }
 }
 
-/// True if a node is another one, or is fed by it.
-fn depends_on(look: &Look, node: &NodeId, other: &NodeId) -> bool {
-    let mut seen = std::collections::HashSet::from([node]);
+/// A node with all that it feeds.
+fn dependents<'l>(look: &'l Look, node: &'l NodeId) -> HashSet<&'l NodeId> {
+    let mut users: HashMap<&NodeId, Vec<&NodeId>> = HashMap::new();
+    for wire in &look.graph.wires {
+        users.entry(&wire.from.node).or_default().push(&wire.to.node);
+    }
+    let mut found = HashSet::from([node]);
     let mut open = vec![node];
     while let Some(id) = open.pop() {
-        if id == other {
-            return true;
-        }
-        let sources = look.graph.wires.iter().filter(|wire| wire.to.node == *id);
-        open.extend(sources.map(|wire| &wire.from.node).filter(|id| seen.insert(id)));
+        let users = users.get(id).into_iter().flatten();
+        open.extend(users.copied().filter(|user| found.insert(user)));
     }
-    false
+    found
 }
 
 /// Edits that make a mask.
@@ -277,6 +433,15 @@ impl<'a> MaskEdits<'a> {
         self.added.push(id.clone());
         self.edits.push(Edit::AddNode { graph: GraphId::Look, id: id.clone(), node, index: None });
         id
+    }
+
+    /// Adds a node of two outputs so many columns before the mask; the next one comes after it.
+    fn joined(&mut self, kind: &str, [a, b]: [Endpoint; 2], columns: &mut usize) -> Endpoint {
+        let id = self.node(kind, std::iter::empty(), *columns);
+        *columns = columns.saturating_sub(1);
+        self.wire(a, &id, "a");
+        self.wire(b, &id, "b");
+        Endpoint::new(id, "")
     }
 
     fn wire(&mut self, from: Endpoint, to: &NodeId, port: &str) {
@@ -350,19 +515,118 @@ mod tests {
     #[test]
     fn a_layer_is_clipped_to_the_one_below() {
         let (mut look, catalog, tree) = setup();
-        let (below, tone) = tree.clipping(&look, &catalog, &"b".into()).unwrap();
-        assert_eq!((below.as_str(), tone.port.as_str()), ("a", "tone"));
-        let (_, edit) = Stack::mask_by(&look, &"b".into(), tone);
+        let (below, coverage) = tree.clipping(&look, &catalog, &"b".into()).unwrap();
+        assert_eq!(below.as_str(), "a");
+        assert_eq!(coverage, Coverage(vec![vec![Endpoint::new("a", "tone")]]));
+        let (_, edit) = Stack::mask_by(&look, &"b".into(), &coverage);
         look.apply(edit).unwrap();
         assert_eq!(problems(&look), [""; 0]);
+        let clip = |base: &str| Some(Clip { base: base.into(), is_stale: false });
+        assert_eq!(tree.clip_of(&look, &catalog, &"b".into()), clip("a"));
         // Nodes are fed as a whole: what lies above a layer depends on it.
         let ids = |layer: &str| {
-            let tones = tree.tones(&look, &catalog, &layer.into());
-            tones.into_iter().map(|(id, _)| id.to_string()).collect::<Vec<_>>()
+            let found = tree.coverages(&look, &catalog, &layer.into());
+            found.into_iter().map(|(id, _)| id.to_string()).collect::<Vec<_>>()
         };
         assert_eq!(ids("b"), ["a"]);
         assert_eq!(ids("a"), [""; 0]);
         assert_eq!(ids("c"), ["b", "a"]);
         assert!(tree.clipping(&look, &catalog, &"a".into()).is_none(), "nothing is below");
+    }
+
+    /// Adds edits, and finds the layers anew.
+    fn after(look: &mut Look, catalog: &Catalog, edit: Edit) -> LayerTree {
+        look.apply(edit).unwrap();
+        assert_eq!(problems(look), [""; 0]);
+        LayerTree::of(look, catalog)
+    }
+
+    /// A folder is where any of its layers is, within its own mask; a folder is clipped as a layer
+    /// is, and layers that are clipped one over the other share what they are clipped to.
+    #[test]
+    fn layers_are_clipped_to_folders_and_folders_to_layers() {
+        let (mut look, catalog, tree) = setup();
+        let noise = SOURCES.iter().find(|source| source.name.english() == "Noise").unwrap();
+        // The blend lies where b is, which would close a ring around a folder of both.
+        let freed = Edit::RemoveWire {
+            graph: GraphId::Look,
+            wire: look.graph.wire_into(&"c".into(), &"tone".into()).unwrap().clone(),
+        };
+        look.apply(freed).unwrap();
+        let (folder, edit) = tree.group(&look, &["b".into(), "a".into()]).unwrap();
+        let tree = after(&mut look, &catalog, edit);
+        let before = look.clone();
+        for is_masked in [false, true] {
+            look = before.clone();
+            let own = is_masked.then(|| tree.own().mask(&look, &folder, noise).1);
+            let mut tree = tree.clone();
+            if let Some(edit) = own {
+                tree = after(&mut look, &catalog, edit);
+            }
+            let unclipped = look.clone();
+            let (base, coverage) = tree.clipping(&look, &catalog, &"c".into()).unwrap();
+            assert_eq!((&base, coverage.0.len()), (&folder, 2));
+            let (_, edit) = Stack::mask_by(&look, &"c".into(), &coverage);
+            let tree = after(&mut look, &catalog, edit);
+            let clip = Clip { base: folder.clone(), is_stale: false };
+            assert_eq!(tree.clip_of(&look, &catalog, &"c".into()), Some(clip));
+            let count = |kind: &str| look.graph.nodes.values().filter(|n| n.kind == kind).count();
+            assert_eq!((count(GREATEST), count(PRODUCT)), (1, if is_masked { 2 } else { 0 }));
+            look.apply(tree.own().unmask(&look, &"c".into()).unwrap()).unwrap();
+            assert_eq!(look, unclipped, "the layer is freed again");
+        }
+        let (mut look, catalog, tree) = setup();
+        let (folder, edit) = tree.group(&look, &["c".into()]).unwrap();
+        let tree = after(&mut look, &catalog, edit);
+        let (_, coverage) = tree.clipping(&look, &catalog, &"b".into()).unwrap();
+        let (_, edit) = Stack::mask_by(&look, &"b".into(), &coverage);
+        let tree = after(&mut look, &catalog, edit);
+        let (base, coverage) = tree.clipping(&look, &catalog, &folder).unwrap();
+        assert_eq!(base.as_str(), "a", "b is clipped itself");
+        let (_, edit) = Stack::mask_by(&look, &folder, &coverage);
+        let tree = after(&mut look, &catalog, edit);
+        let clip = tree.clip_of(&look, &catalog, &folder).unwrap();
+        assert_eq!((clip.base.as_str(), clip.is_stale), ("a", false));
+    }
+
+    /// A folder that gets a layer is told from what was clipped to it, until it is clipped anew.
+    #[test]
+    fn a_folder_that_grew_is_clipped_to_anew() {
+        let (mut look, catalog, tree) = setup();
+        let (folder, edit) = tree.group(&look, &["a".into()]).unwrap();
+        let tree = after(&mut look, &catalog, edit);
+        let (base, coverage) = tree.clipping(&look, &catalog, &"b".into()).unwrap();
+        assert_eq!(base, folder);
+        let (_, edit) = Stack::mask_by(&look, &"b".into(), &coverage);
+        let tree = after(&mut look, &catalog, edit);
+        let place = super::super::tree::LayerPlace { folder: Some(folder), at: 0 };
+        let node = Node {
+            kind: "light_layer".to_owned(),
+            values: [("light".into(), Value::Text("key".to_owned()))].into_iter().collect(),
+            ..Node::default()
+        };
+        let edits = tree.insert(&look, &place, &"new".into(), node);
+        let tree = after(&mut look, &catalog, Edit::Group { edits });
+        let clip = tree.clip_of(&look, &catalog, &"b".into()).unwrap();
+        assert!(clip.is_stale);
+        let anew = tree.clip_anew(&look, &catalog, (&"b".into(), &clip)).unwrap();
+        let tree = after(&mut look, &catalog, anew);
+        assert!(!tree.clip_of(&look, &catalog, &"b".into()).unwrap().is_stale);
+        let (mask, node) = of(&look, &"b".into()).unwrap();
+        assert_eq!(node.values[OPACITY], Value::Number(0.5), "the layer's own");
+        assert_eq!(look.graph.wires.iter().filter(|wire| wire.from.node == *mask).count(), 1);
+    }
+
+    #[test]
+    fn nothing_is_clipped_to_what_is_everywhere_or_nowhere() {
+        let (mut look, catalog, tree) = setup();
+        let band = Node { kind: "band_layer".to_owned(), ..Node::default() };
+        let place = super::super::tree::LayerPlace { folder: None, at: 1 };
+        let edits = tree.insert(&look, &place, &"band".into(), band);
+        let tree = after(&mut look, &catalog, Edit::Group { edits });
+        assert!(tree.clipping(&look, &catalog, &"c".into()).is_none(), "bands are everywhere");
+        let (_, edit) = tree.add_folder(&look, &place);
+        let tree = after(&mut look, &catalog, edit);
+        assert!(tree.clipping(&look, &catalog, &"c".into()).is_none(), "an empty folder");
     }
 }

@@ -11,7 +11,7 @@ use std::collections::{HashMap, HashSet};
 use indexmap::IndexMap;
 
 use super::mask;
-use super::{BELOW, Layer, STEP, Stack, feeds};
+use super::{BASE, BELOW, Layer, STEP, Stack, feeds};
 use crate::catalog::Catalog;
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire};
 use crate::ids::{NodeId, PortName, make_slug};
@@ -24,7 +24,6 @@ pub(crate) const ISOLATED: &str = "folder";
 /// Inputs of an isolated folder that a pass-through one lacks.
 const BLEND: &str = "blend";
 const CLAMPED: &str = "clamped";
-const BASE: &str = "base";
 /// Distance of a folder's layers from the folder, downward, in points.
 const DROP: f64 = 560.0;
 
@@ -52,6 +51,17 @@ pub(crate) struct TreeRow {
     pub(crate) depth: usize,
     /// True for folders.
     pub(crate) is_folder: bool,
+}
+
+/// Place between two layers, as ends of wires.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LayerJoint {
+    /// Output of what lies below; `None` where nothing does.
+    pub(crate) from: Option<Endpoint>,
+    /// Input of what lies above.
+    pub(crate) into: Endpoint,
+    /// Inputs of the lowest layers in pass-through folders above, which lie on the same.
+    pub(crate) others: Vec<Endpoint>,
 }
 
 /// A look's layers.
@@ -129,6 +139,16 @@ impl LayerTree {
         self.stacks.values().find(|stack| stack.index_of(id).is_some())
     }
 
+    /// Layer of a node.
+    pub(crate) fn layer(&self, id: &NodeId) -> Option<&Layer> {
+        self.stacks.values().find_map(|stack| stack.layer(id))
+    }
+
+    /// True for a layer that changes what is below and lays nothing over it.
+    pub(crate) fn is_adjustment(&self, id: &NodeId) -> bool {
+        self.layer(id).is_some_and(Layer::is_adjustment)
+    }
+
     /// Place of a layer.
     pub(crate) fn place_of(&self, id: &NodeId) -> Option<LayerPlace> {
         let of = |(folder, stack): (&Option<NodeId>, &Stack)| {
@@ -159,6 +179,27 @@ impl LayerTree {
         rows
     }
 
+    /// The place directly over a layer or over the ground, or on top of all; `None` for a node that
+    /// is neither, and for a look without an Output.
+    pub(crate) fn joint_over(&self, id: Option<&NodeId>) -> Option<LayerJoint> {
+        let own = self.own();
+        let is_ground = |id: &NodeId| own.ground.as_ref().is_some_and(|end| end.node == *id);
+        let place = match id {
+            None => LayerPlace::default(),
+            Some(id) if is_ground(id) => LayerPlace { folder: None, at: own.layers.len() },
+            Some(id) => self.place_of(id)?,
+        };
+        let stack = self.stacks.get(&place.folder)?;
+        let from = stack.layers.get(place.at).map(|layer| &layer.outlet);
+        let from = from.or(stack.ground.as_ref()).cloned();
+        let above = place.at.checked_sub(1).and_then(|at| stack.layers.get(at));
+        let into = above.map(|layer| &layer.inlet).or(stack.head.as_ref())?.clone();
+        let lies_there = |inner: &&Stack| inner.is_on_other && inner.ground == from;
+        let inner = self.stacks.values().filter(lies_there).filter_map(Stack::lowest_inlet);
+        let others = inner.filter(|inlet| **inlet != into && from.is_some()).cloned().collect();
+        Some(LayerJoint { from, into, others })
+    }
+
     /// Folders around a layer, the innermost first.
     pub(crate) fn folders_around(&self, id: &NodeId) -> Vec<NodeId> {
         let mut found = Vec::new();
@@ -177,6 +218,15 @@ impl LayerTree {
             ids.contains(id) && !self.folders_around(id).iter().any(|folder| ids.contains(folder))
         };
         rows.filter(is_free).collect()
+    }
+
+    /// The layers that lie in a folder, the uppermost first; `None` for a layer that is no folder.
+    pub(super) fn layers_in(
+        &self,
+        id: &NodeId,
+    ) -> Option<impl DoubleEndedIterator<Item = &NodeId>> {
+        let stack = self.stacks.get(&Some(id.clone()))?;
+        Some(stack.layers.iter().map(|layer| &layer.id))
     }
 
     /// The layers in a folder at any depth, with the folder.
@@ -620,7 +670,7 @@ impl LayerTree {
                 let stack = Stack {
                     head: Some(Endpoint::new(copy.clone(), INSIDE)),
                     output: Some(copy.clone()),
-                    layers: stack.layers.iter().map(|layer| plain_layer(&of(&layer.id))).collect(),
+                    layers: stack.layers.iter().map(|l| copied_layer(l, &of(&l.id))).collect(),
                     ground: stack.ground.as_ref().map(moved),
                     is_on_other: stack.is_on_other,
                 };
@@ -628,7 +678,8 @@ impl LayerTree {
             }
             let copy = copied.get(id)?.clone();
             let place = new.place_of(id)?;
-            new.stacks.get_mut(&place.folder)?.layers.insert(place.at, plain_layer(&copy));
+            let layer = copied_layer(self.layer(id)?, &copy);
+            new.stacks.get_mut(&place.folder)?.layers.insert(place.at, layer);
             copies.push(copy);
         }
         if !positions.is_empty() {
@@ -668,8 +719,11 @@ impl LayerTree {
     /// Wires into copies from what feeds the originals, but for those of the stack.
     fn copied_wires(&self, look: &Look, copied: &IndexMap<NodeId, NodeId>) -> Vec<Edit> {
         let is_of_stack = |wire: &Wire| {
-            let port = wire.to.port.as_str();
-            port == BELOW || port == INSIDE && self.is_folder(&wire.to.node)
+            let port = &wire.to.port;
+            let is_below = || self.layer(&wire.to.node).is_some_and(|layer| layer.input == *port);
+            port.as_str() == BELOW
+                || port.as_str() == INSIDE && self.is_folder(&wire.to.node)
+                || is_below()
         };
         let copy = |wire: &Wire| {
             let to = Endpoint { node: copied.get(&wire.to.node)?.clone(), ..wire.to.clone() };
@@ -714,8 +768,12 @@ fn removal(id: NodeId) -> Edit {
 
 /// The layer of a node with the ports that layers have.
 fn plain_layer(id: &NodeId) -> Layer {
-    let end = Endpoint::new(id.clone(), BELOW);
-    Layer { id: id.clone(), outlet: end.clone(), inlet: end }
+    Layer::of(id.clone(), PortName::new(BELOW), PortName::new(BELOW))
+}
+
+/// The layer of a node's copy.
+fn copied_layer(layer: &Layer, copy: &NodeId) -> Layer {
+    Layer::of(copy.clone(), layer.outlet.port.clone(), layer.input.clone())
 }
 
 /// A pass-through folder with a name that nothing has yet.

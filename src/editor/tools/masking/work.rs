@@ -64,7 +64,7 @@ pub(super) fn carry_out(assets: &mut Assets, request: MaskRequest) -> MaskAnswer
             if worn.all(|object| !object.mesh.has_uvs) {
                 return Err(tr!(
                     "This mesh has no UVs to paint a mask by: unwrap it in a 3D program, or mask \
-                     by vertex colors, a tone or noise"
+                     by a picture from the front, vertex colors, a tone or noise"
                 )
                 .to_owned());
             }
