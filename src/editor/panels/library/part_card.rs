@@ -67,7 +67,7 @@ impl PartCard {
         let (_, rect) = ui.allocate_space(vec2(side, side + NAME));
         let response = ui.interact(rect, id, Sense::click_and_drag());
         let word = self.part.content.as_ref().map_or(tr!("damaged"), |content| content.kind.word());
-        let label = tr!("Part {name}, {word}", name = self.part.name);
+        let label = tr!("Part {name}, {word}", name = self.part.title());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
         if response.gained_focus() {
             response.scroll_to_me(None);
@@ -178,28 +178,28 @@ impl PartCard {
             let stroke = Stroke::new(1.5, theme::of(ui).accent);
             ui.painter().rect_stroke(picture, CornerRadius::same(3), stroke, StrokeKind::Inside);
         }
-        name_below(ui, rect, picture, &self.part.name, theme::of(ui).text);
+        name_below(ui, rect, picture, self.part.title(), theme::of(ui).text);
     }
 
     fn help(&self, ui: &mut Ui) {
         ui.set_max_width(320.0);
-        ui.label(eframe::egui::RichText::new(&self.part.name).strong());
+        ui.label(eframe::egui::RichText::new(self.part.title()).strong());
         let mut tell = |text: &str| {
             if !text.is_empty() {
                 ui.label(text);
             }
         };
-        tell(&self.part.about);
+        tell(self.part.shown(&self.part.about));
         match &self.part.content {
             Ok(content) => tell(content.kind.help()),
             Err(why) => tell(why),
         }
-        let tags = &self.part.tags;
+        let tags = self.part.shown(&self.part.tags);
         let file = match self.part.is_shipped() {
             true => tr!("Comes with Chiaro").to_owned(),
             false => self.part.path.display().to_string(),
         };
-        for text in [tags, &file] {
+        for text in [tags, file.as_str()] {
             ui.label(eframe::egui::RichText::new(text).small().color(theme::of(ui).dim));
         }
     }
@@ -217,8 +217,8 @@ fn ghost(ui: &Ui, part: &Part, session: &Session) {
     let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
     ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
     let text = match drops::goal(ui.ctx()) {
-        Some(goal) => format!("{}: {}", part.name, drops::words(&goal, session)),
-        None => part.name.clone(),
+        Some(goal) => format!("{}: {}", part.title(), drops::words(&goal, session)),
+        None => part.title().to_owned(),
     };
     let area = Area::new(Id::unique("part ghost"))
         .order(Order::Tooltip)

@@ -241,7 +241,9 @@ impl SavedParts {
             let kind = part.content.as_ref().ok().map(|content| content.kind.text());
             let kind = kind.map(|kind| format!("{} {}", kind.english(), kind.tr()));
             let kind = kind.unwrap_or_default();
-            words::rank(query, &[&part.name, &part.tags, &kind, &part.about])
+            let both = |text: &String| format!("{text} {}", part.shown(text));
+            let [name, tags, about] = [&part.name, &part.tags, &part.about].map(both);
+            words::rank(query, &[&name, &tags, &kind, &about])
         };
         let mut found: Vec<(usize, &PartCard)> = self
             .cards
