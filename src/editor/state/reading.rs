@@ -4,7 +4,7 @@
 use chiaro_locale::{tr, tr_in};
 
 use crate::catalog::{Catalog, Port};
-use crate::document::{ColorSpace, Definition, Light, LightField, Look, Node, Target, Value};
+use crate::document::{ColorSpace, Definition, Light, LightField, Look, Node, Target, Tier, Value};
 use crate::frame::light_field;
 use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::{Fallback, Library, Type};
@@ -204,6 +204,24 @@ pub(crate) fn of_library(text: &str) -> &str {
 /// A label of a choice, in the language that is spoken.
 pub(crate) fn of_choice(label: &str) -> &str {
     tr_in("choice", label)
+}
+
+/// Label of a tier.
+pub(crate) fn tier_label(tier: Tier) -> &'static str {
+    match tier {
+        Tier::Exact => tr!("Exact"),
+        Tier::Balanced => tr!("Balanced"),
+        Tier::Fast => tr!("Fast"),
+    }
+}
+
+/// Name of a tier within a sentence.
+pub(crate) fn tier_word(tier: Tier) -> &'static str {
+    match tier {
+        Tier::Exact => tr!("exact"),
+        Tier::Balanced => tr!("balanced"),
+        Tier::Fast => tr!("fast"),
+    }
 }
 
 /// Label made from an identifier or a phrase: `rim_width` is "Rim width".

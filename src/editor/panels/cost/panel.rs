@@ -7,10 +7,10 @@ use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use super::{Cost, adopt, now, plot};
 use crate::accuracy::{BenchReport, MeasuredTier, MeasurementRow, MeasurementSubject};
 use crate::commands::{Command, PanelId};
-use crate::document::Tier;
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
 use crate::state::picture_cost::PictureCost;
 use crate::state::problem_text::sentence;
+use crate::state::reading::tier_word;
 use crate::state::session::Session;
 use crate::tools::probe::picture_size;
 use crate::viewport::picture::ViewportPicture;
@@ -348,9 +348,7 @@ pub(super) fn told(row: &MeasurementRow, is_used: bool) -> String {
 /// Name of a tier, as it stands within a sentence.
 pub(super) fn tier_name(tier: MeasuredTier) -> &'static str {
     match tier {
-        MeasuredTier::Named(Tier::Exact) => tr!("exact"),
-        MeasuredTier::Named(Tier::Balanced) => tr!("balanced"),
-        MeasuredTier::Named(Tier::Fast) => tr!("fast"),
+        MeasuredTier::Named(tier) => tier_word(tier),
         MeasuredTier::Automatic => tr!("automatic"),
         MeasuredTier::AsSet => tr!("as set"),
     }

@@ -17,6 +17,7 @@ use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::lights;
 use crate::panels::table::{PanelPlace, PanelRow, PanelStack};
+use crate::state::reading::{tier_label, tier_word};
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
@@ -389,7 +390,7 @@ fn tier_row(
         |ui, label| {
             let runs = session.compilation().tier_of(&session.selection.path_of(id));
             let name = |tier: Option<Tier>| match (tier, runs) {
-                (Some(tier), _) => tier_name(tier).to_owned(),
+                (Some(tier), _) => tier_label(tier).to_owned(),
                 (None, Some(tier)) if node.tier.is_none() => {
                     tr!("As the look ({tier})", tier = tier_word(tier))
                 }
@@ -528,23 +529,6 @@ fn lights_of(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     }
 }
 
-fn tier_name(tier: Tier) -> &'static str {
-    match tier {
-        Tier::Exact => tr!("Exact"),
-        Tier::Balanced => tr!("Balanced"),
-        Tier::Fast => tr!("Fast"),
-    }
-}
-
-/// Name of a tier within a sentence.
-fn tier_word(tier: Tier) -> &'static str {
-    match tier {
-        Tier::Exact => tr!("exact"),
-        Tier::Balanced => tr!("balanced"),
-        Tier::Fast => tr!("fast"),
-    }
-}
-
 /// Meaning of a tier that a look asks for.
 fn tier_help(tier: Option<Tier>) -> &'static str {
     match tier {
@@ -657,7 +641,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         tr!("Tier"),
         tr!("Which implementation nodes have that do not say their own"),
         |ui, label| {
-            let name = |tier: Option<Tier>| tier.map_or(tr!("Automatic"), tier_name);
+            let name = |tier: Option<Tier>| tier.map_or(tr!("Automatic"), tier_label);
             let combo = egui::ComboBox::from_id_salt("tier")
                 .width(ui.available_width().min(LIST))
                 .truncate()
