@@ -190,7 +190,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let file: &Path = file.as_ref();
     outputs.write(file, OutputKind::DOCUMENT, text.as_bytes()).map_err(one)?;
-    let by = arguments.to.submitted_by.replace("FILE", &file.display().to_string());
+    let by = arguments.to.submitted_by.english().replace("FILE", &file.display().to_string());
     output.message(&format!(
         "{}: {} frames in {} tasks; submit it by {by}",
         file.display(),

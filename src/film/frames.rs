@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use chiaro_locale::tr;
+
 /// Greatest number of frames of one list: a feature film has some 200,000.
 const MAX_FRAMES: usize = 1_000_000;
 
@@ -126,13 +128,14 @@ impl FramePattern {
         let Some(text) = path.to_str() else { return Ok(None) };
         let Some((before, digits, after)) = split(text) else { return Ok(None) };
         if split(after).is_some() {
-            return Err("the path has two places for the frame's number".to_owned());
+            return Err(tr!("the path has two places for the frame's number").to_owned());
         }
         if !(1..=MAX_DIGITS).contains(&digits) {
-            return Err(format!("a frame's number has 1 to {MAX_DIGITS} digits"));
+            return Err(tr!("a frame's number has 1 to {MAX_DIGITS} digits"));
         }
         if after.contains(['/', '\\']) {
-            let problem = "the frame's number belongs into the name of the file, not of a folder";
+            let problem =
+                tr!("the frame's number belongs into the name of the file, not of a folder");
             return Err(problem.to_owned());
         }
         Ok(Some(Self { before: before.to_owned(), digits, after: after.to_owned() }))

@@ -2,6 +2,8 @@
 
 use std::io::Cursor;
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::document::{linear_to_srgb, srgb_to_linear};
 use crate::exr;
@@ -84,13 +86,13 @@ impl StoredFrame {
     pub fn difference(&self, other: &Self) -> Result<Option<FrameDifference>, String> {
         if self.size != other.size {
             let [[width, height], [other_width, other_height]] = [self.size, other.size];
-            return Err(format!(
+            return Err(tr!(
                 "it is {width}x{height}, and the other one {other_width}x{other_height}"
             ));
         }
         if self.names() != other.names() {
             let [names, others] = [self.names().join(", "), other.names().join(", ")];
-            return Err(format!("its channels are {names}, and the other one's {others}"));
+            return Err(tr!("its channels are {names}, and the other one's {others}"));
         }
         let mut differs = vec![false; self.size[0] as usize * self.size[1] as usize];
         let mut found: Option<FrameDifference> = None;
@@ -169,9 +171,9 @@ impl StoredFrame {
         let channel = |name: &str| {
             let found = self.channels.iter().find(|(known, _)| known == name);
             found.map(|(_, numbers)| numbers.as_slice()).ok_or_else(|| {
-                let message = format!("the file has no channel {name}, and so no picture");
+                let message = tr!("the file has no channel {name}, and so no picture");
                 Diagnostic::error("no-picture", message)
-                    .hint("name a file that has R, G, B and A, as chiaro render writes it")
+                    .hint(tr!("name a file that has R, G, B and A, as chiaro render writes it"))
             })
         };
         let colors = [channel("R")?, channel("G")?, channel("B")?];
@@ -186,12 +188,13 @@ fn read_png(bytes: &[u8]) -> Result<StoredFrame, Diagnostic> {
     decoder.set_transformations(::png::Transformations::normalize_to_color8());
     let mut reader = decoder.read_info().map_err(|error| failed(error.to_string()))?;
     let length = reader.output_buffer_size().filter(|length| *length <= MAX_PNG_BYTES);
-    let mut pixels = vec![0; length.ok_or_else(|| failed("the picture is too large".to_owned()))?];
+    let mut pixels =
+        vec![0; length.ok_or_else(|| failed(tr!("the picture is too large").to_owned()))?];
     let info = reader.next_frame(&mut pixels).map_err(|error| failed(error.to_string()))?;
     let names: &[&str] = match info.color_type {
         ::png::ColorType::Rgba => &["A", "B", "G", "R"],
         ::png::ColorType::Rgb => &["B", "G", "R"],
-        _ => return Err(failed("the picture has no colors".to_owned())),
+        _ => return Err(failed(tr!("the picture has no colors").to_owned())),
     };
     let channel = |at: usize| {
         let bytes = pixels.iter().skip(at).step_by(names.len());

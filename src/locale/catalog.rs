@@ -1,6 +1,6 @@
 //! Catalog of a language: its texts by those of the source.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Mutex;
 
 /// Texts of a language.
@@ -8,8 +8,16 @@ use std::sync::Mutex;
 pub(crate) enum Catalog {
     /// Forms by context and English text; a text that does not count has one.
     Read(HashMap<String, HashMap<String, Vec<String>>>),
-    /// English within marks, for tests: each text is kept for as long as the process runs.
-    Marked(Mutex<HashMap<String, &'static str>>),
+    /// English within marks, for tests.
+    Marked(MarkedTexts),
+}
+
+/// Texts within marks, each kept for as long as the process runs.
+#[derive(Debug)]
+pub(crate) struct MarkedTexts {
+    /// Contexts and texts that are marked; `None` for all.
+    listed: Option<HashSet<(String, String)>>,
+    known: Mutex<HashMap<String, &'static str>>,
 }
 
 impl Catalog {
@@ -33,16 +41,23 @@ impl Catalog {
         Self::Read(contexts)
     }
 
-    /// Catalog that marks each text.
-    pub(crate) fn marked() -> Self {
-        Self::Marked(Mutex::default())
+    /// Catalog that marks the texts of a list in gettext's PO format; where it is empty, all.
+    pub(crate) fn marked(list: &str) -> Self {
+        let list = (!list.is_empty()).then(|| polib::po_file::parse_from_reader(list.as_bytes()));
+        let listed = list.and_then(Result::ok).map(|list| {
+            let messages = list.messages().map(|message| {
+                (message.msgctxt().unwrap_or_default().to_owned(), message.msgid().to_owned())
+            });
+            messages.collect()
+        });
+        Self::Marked(MarkedTexts { listed, known: Mutex::default() })
     }
 
     /// Text of a context.
     pub(crate) fn find(&'static self, context: &str, text: &str) -> Option<&'static str> {
         match self {
             Self::Read(contexts) => contexts.get(context)?.get(text)?.first().map(String::as_str),
-            Self::Marked(known) => Some(mark(known, text)),
+            Self::Marked(texts) => texts.mark(context, text, text),
         }
     }
 
@@ -58,23 +73,30 @@ impl Catalog {
                 let forms = contexts.get("").and_then(|texts| texts.get(one));
                 forms.and_then(|forms| forms.get(form)).map_or(english, String::as_str)
             }
-            Self::Marked(known) => mark(known, english),
+            Self::Marked(texts) => texts.mark("", one, english).unwrap_or(english),
         }
     }
 }
 
-/// Text within marks; an empty one stays empty, and one that is marked is not marked again.
-fn mark(known: &Mutex<HashMap<String, &'static str>>, text: &str) -> &'static str {
-    let mut known = known.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-    if let Some(marked) = known.get(text) {
-        return marked;
+impl MarkedTexts {
+    /// Text within marks, if what it is listed by is listed. An empty one stays empty, and one that
+    /// is marked is not marked again.
+    fn mark(&self, context: &str, listed_by: &str, text: &str) -> Option<&'static str> {
+        let key = || (context.to_owned(), listed_by.to_owned());
+        if self.listed.as_ref().is_some_and(|listed| !listed.contains(&key())) {
+            return None;
+        }
+        let mut known = self.known.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(marked) = known.get(text) {
+            return Some(marked);
+        }
+        let marked = if text.trim().is_empty() || text.starts_with('«') {
+            text.to_owned()
+        } else {
+            format!("«{text}»")
+        };
+        let marked: &'static str = Box::leak(marked.into_boxed_str());
+        known.insert(text.to_owned(), marked);
+        Some(marked)
     }
-    let marked = if text.trim().is_empty() || text.starts_with('«') {
-        text.to_owned()
-    } else {
-        format!("«{text}»")
-    };
-    let marked: &'static str = Box::leak(marked.into_boxed_str());
-    known.insert(text.to_owned(), marked);
-    marked
 }

@@ -44,18 +44,21 @@ impl Language {
         Self { tag, name, source, form, catalog: OnceLock::new() }
     }
 
+    /// Language for tests: English with every text within « and » that was looked up and that a
+    /// list has, in gettext's PO format. An empty list has all texts.
+    pub const fn marked(list: &'static str) -> Self {
+        Self::new(MARKED_TAG, "«English»", list, one_or_many)
+    }
+
     fn catalog(&self) -> &Catalog {
         self.catalog.get_or_init(|| match self.tag {
-            MARKED_TAG => Catalog::marked(),
+            MARKED_TAG => Catalog::marked(self.source),
             _ => Catalog::read(self.source),
         })
     }
 }
 
 const MARKED_TAG: &str = "qps";
-
-/// Language for tests: English with every text that was looked up within « and ».
-pub static MARKED: Language = Language::new(MARKED_TAG, "«English»", "", one_or_many);
 
 /// Form of a text that counts where one alone is another form than all others.
 pub fn one_or_many(count: u64) -> usize {
@@ -164,6 +167,21 @@ msgstr[1] "{n} Ebenen"
         one_or_many,
     );
 
+    static MARKED: Language = Language::marked("");
+    static LISTED: Language = Language::marked(
+        r#"msgid ""
+msgstr ""
+"Plural-Forms: nplurals=2; plural=(n != 1);\n"
+
+msgid "Cancel"
+msgstr ""
+
+msgctxt "tool"
+msgid "Fill"
+msgstr ""
+"#,
+    );
+
     // The language is the process's, so that one test alone may change it.
     #[test]
     fn a_text_is_spoken_in_the_chosen_language() {
@@ -176,6 +194,9 @@ msgstr[1] "{n} Ebenen"
         assert_eq!(tr!("Cancel"), "«Cancel»");
         assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "«Ada has 2.2»");
         assert_eq!(layers(3), "«3 layers»");
+        speak(Some(&LISTED));
+        assert_eq!([tr_in("tool", "Cancel"), tr_in("tool", "Fill")], ["«Cancel»", "«Fill»"]);
+        assert_eq!([tr("Fill"), tr("no list has this")], ["Fill", "no list has this"]);
         speak(Some(&GERMAN));
         assert_eq!(tr("no catalog has this"), "no catalog has this");
         assert_eq!(text!("Cancel").tr(), "Abbrechen");

@@ -8,10 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::{env, fs};
 
-use chiaro_compiler::catalog::values::context_words;
+use chiaro_compiler::catalog::values::{context_words, words};
 use chiaro_compiler::document::LightKind;
 use chiaro_compiler::examples;
-use chiaro_compiler::library::{Context, Library};
+use chiaro_compiler::library::{Context, Fallback, Library};
 use polib::catalog::Catalog;
 use polib::message::{Message, MessageView};
 use polib::metadata::CatalogMetadata;
@@ -54,6 +54,7 @@ impl Texts {
         }
         texts.of_nodes();
         texts.of_tables();
+        texts.of_parts();
         texts.of_examples();
         texts
     }
@@ -132,10 +133,16 @@ impl Texts {
                 for (_, label) in &input.options {
                     self.say("choice", label, &source);
                 }
+                if let Fallback::Same(other) = &input.fallback {
+                    self.say("node", &words(other.as_str()), &source);
+                }
             }
             for output in &node.outputs {
                 self.say("node", &output.label, &source);
                 self.say("node", &output.help, &source);
+            }
+            for error in &node.errors {
+                self.say("node", &error.help, &source);
             }
             for bypass in &node.bypasses {
                 self.say("node", &bypass.reason, &source);
@@ -145,7 +152,7 @@ impl Texts {
             }
         }
         for group in library.groups.values() {
-            let source = format!("nodes/{}/{}.json", group.category, group.id);
+            let source = format!("nodes/{}", group.file.trim_start_matches("nodes/"));
             self.say("node", &group.definition.label, &source);
             self.say("node", &group.definition.help, &source);
             let ports = group.ports(library);
@@ -165,18 +172,22 @@ impl Texts {
         for kind in LightKind::ALL {
             self.say("choice", kind.help(), "src/compiler/document/light/mod.rs");
         }
-        for text in [
-            "WGSL node",
-            "Group inputs",
-            "What comes into the group.",
-            "Group outputs",
-            "What the group gives.",
-        ] {
-            self.say("node", text, "src/compiler/catalog/mod.rs");
-        }
         for context in Context::all() {
             let words = context_words(context);
             self.say("context", &words, "src/compiler/library/context/row.rs");
+        }
+    }
+
+    /// Adds names, descriptions and tags of the parts that Chiaro ships.
+    fn of_parts(&mut self) {
+        const FOLDER: &str = "src/editor/state/parts/shipped";
+        for path in files::below(&root().join(FOLDER)) {
+            let source = path.strip_prefix(root()).expect("it was found there").to_string_lossy();
+            let text = fs::read_to_string(&path).expect("a part reads");
+            let part: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+            for member in ["name", "about", "tags"] {
+                self.say("example", part[member].as_str().unwrap_or_default(), &source);
+            }
         }
     }
 

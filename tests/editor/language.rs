@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use std::env;
 use std::process::Command;
 
+use chiaro_locale::Language;
 use eframe::egui::epaint::ClippedShape;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
@@ -33,6 +34,9 @@ fn is_alone(test: &str) -> bool {
     assert!(run.status.success() && said.contains("1 passed"), "{said}\n{wrong}");
     false
 }
+
+/// English with marks around all that was looked up and that translators have in their list.
+static MARKED: Language = Language::marked(include_str!("../../src/locale/chiaro.pot"));
 
 /// Texts that no catalog has: names that the documents give, files, and targets of values.
 const OWN: &[&str] = &[
@@ -90,7 +94,7 @@ fn every_text_of_the_window_is_looked_up() {
     if !is_alone("every_text_of_the_window_is_looked_up") {
         return;
     }
-    chiaro_locale::speak(Some(&chiaro_locale::MARKED));
+    chiaro_locale::speak(Some(&MARKED));
     let home = Home::new();
     let mut hand = opened(&home);
     hand.app_mut().session_mut().select(vec!["layer".into()]);

@@ -6,12 +6,17 @@ pub mod values;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::{Text, text};
+
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, PortName};
 use crate::library::{Fallback, Library, NodeDef, Preset, Treatment, Type, load_node};
 
 /// The kind of a node whose WGSL is a value of its own.
 pub const CUSTOM_KIND: &str = "wgsl";
+
+/// Label of a node with its own WGSL.
+const CUSTOM_LABEL: Text = text!("node" => "WGSL node");
 /// Name of the value that holds the WGSL of a custom node.
 pub const CODE_VALUE: &str = "code";
 /// The code of a new custom node.
@@ -207,8 +212,9 @@ impl Catalog {
             catalog.add(kind);
         }
         let mut custom = custom_kind(CUSTOM_CODE);
-        custom.label = "WGSL node".into();
-        custom.help = "A node whose WGSL function you write yourself.".to_owned();
+        custom.label = CUSTOM_LABEL.english().into();
+        let help = text!("node" => "A node whose WGSL function you write yourself.");
+        custom.help = help.english().to_owned();
         catalog.order.push(Arc::new(custom));
         catalog
     }
@@ -264,9 +270,9 @@ impl Catalog {
     /// node that takes its outputs.
     pub fn ends(&self, group: &str) -> Option<[NodeKind; 2]> {
         let kind = self.get(group)?;
-        let end = |id: &str, label: &str, help: &str, inputs: Vec<Port>, outputs: Vec<Port>| {
+        let end = |id: &str, label: Text, help: Text, inputs: Vec<Port>, outputs: Vec<Port>| {
             let known = Self::stand_in(id, &[], &[]);
-            let (label, help) = (label.into(), help.to_owned());
+            let (label, help) = (label.english().into(), help.english().to_owned());
             NodeKind {
                 label,
                 help,
@@ -286,12 +292,18 @@ impl Catalog {
         Some([
             end(
                 GROUP_INPUTS,
-                "Group inputs",
-                "What comes into the group.",
+                text!("node" => "Group inputs"),
+                text!("node" => "What comes into the group."),
                 Vec::new(),
                 kind.inputs.clone(),
             ),
-            end(GROUP_OUTPUTS, "Group outputs", "What the group gives.", outputs, Vec::new()),
+            end(
+                GROUP_OUTPUTS,
+                text!("node" => "Group outputs"),
+                text!("node" => "What the group gives."),
+                outputs,
+                Vec::new(),
+            ),
         ])
     }
 
@@ -365,8 +377,9 @@ fn custom_kind(code: &str) -> NodeKind {
         Ok(def) => NodeKind::of_node(&def),
         Err(_) => {
             let mut kind = Catalog::stand_in(CUSTOM_KIND, &[], &[]);
-            kind.label = "WGSL node".into();
-            kind.help = "Its code has errors; they are listed under the canvas.".to_owned();
+            kind.label = CUSTOM_LABEL.english().into();
+            let help = text!("node" => "Its code has errors; they are listed under the canvas.");
+            kind.help = help.english().to_owned();
             kind
         }
     };
@@ -381,7 +394,8 @@ fn custom_kind(code: &str) -> NodeKind {
 /// Category as people read it. Nodes in a project's `nodes` folder itself would be of the category
 /// "nodes", which tells nothing: they get the category "project".
 fn category(folder: &str) -> String {
-    if folder == "nodes" { "project".to_owned() } else { folder.to_owned() }
+    let category = if folder == "nodes" { text!("node" => "project").english() } else { folder };
+    category.to_owned()
 }
 
 fn group_kind<'a>(

@@ -3,6 +3,7 @@
 use chiaro_locale::{tr, tr_in, trn};
 
 use crate::document::{Look, Node, Value};
+use crate::ids::PortName;
 use crate::library::{Context, Fallback, Type};
 
 use super::{CODE_VALUE, Port};
@@ -51,6 +52,11 @@ pub fn words(name: &str) -> String {
     name.replace(['_', '.'], " ")
 }
 
+/// Words for an input that another one is the same as.
+pub fn input_words(name: &PortName) -> String {
+    tr_in("node", &words(name.as_str())).to_owned()
+}
+
 /// Label of a context in people's words: the papers' kappa is a curvature.
 pub fn context_words(context: Context) -> String {
     let english = context.row().label.map_or_else(|| words(context.word()), str::to_owned);
@@ -75,7 +81,7 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> InputDisplay {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
         (None, Fallback::Same(other)) => {
-            return InputDisplay::Source(tr!("as {words}", words = words(other.as_str())));
+            return InputDisplay::Source(tr!("as {words}", words = input_words(other)));
         }
         (None, Fallback::Context(context)) => return InputDisplay::Source(context_words(*context)),
         (None, Fallback::Wire) => return InputDisplay::Nothing,

@@ -253,7 +253,7 @@ impl TypedAov {
 }
 
 fn cannot_be_written(ty: &Type) -> Diagnostic {
-    let message = tr!("values of type {ty} cannot be written as a pass");
+    let message = tr!("values of type {ty} cannot be written as a pass", ty = ty.label());
     let hint = tr!("numbers, vectors, colors, angles and lights can: see --list-aovs");
     Diagnostic::error("aov-type", message).hint(hint)
 }

@@ -666,7 +666,7 @@ impl<'a> Typer<'a> {
             FlatInput::Wire { .. } | FlatInput::Context(_) => {
                 let problem = Diagnostic::error(
                     "not-wirable",
-                    tr!("`{name}` takes no wire: {ty}", name = input.name, ty = input.ty),
+                    tr!("`{name}` takes no wire: {ty}", name = input.name, ty = input.ty.label()),
                 );
                 self.problem(
                     flat,
@@ -804,7 +804,7 @@ impl<'a> Typer<'a> {
             FlatInput::Wire { .. } | FlatInput::Context(_) if ty.is_setting() => {
                 let problem = Diagnostic::error(
                     "not-wirable",
-                    tr!("`{name}` takes no wire: {ty}", name = input.name, ty = input.ty),
+                    tr!("`{name}` takes no wire: {ty}", name = input.name, ty = input.ty.label()),
                 );
                 self.problem(
                     flat,
@@ -829,7 +829,12 @@ impl<'a> Typer<'a> {
             },
         };
         let Some(conversion) = from.convert_to(&ty) else {
-            let message = tr!("`{name}` takes {ty}, and is wired to {from}", name = input.name);
+            let message = tr!(
+                "`{name}` takes {ty}, and is wired to {from}",
+                name = input.name,
+                ty = ty.label(),
+                from = from.label()
+            );
             self.problem(
                 flat,
                 Some(input),
@@ -897,7 +902,7 @@ impl<'a> Typer<'a> {
                 self.problem(
                     flat,
                     Some(input),
-                    problem.hint(tr!("wire it to an output of type {ty}")),
+                    problem.hint(tr!("wire it to an output of type {ty}", ty = ty.label())),
                 );
                 return None;
             }

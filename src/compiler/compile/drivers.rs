@@ -83,6 +83,7 @@ pub(super) fn typed(
         match ty.convert_to(&Type::Float) {
             Some(conversion) => drivers.push(TypedDriver { wire, node, output, conversion }),
             None => {
+                let ty = ty.label();
                 let message =
                     tr!("`{wire}` gives {ty}, which is no number, so that it cannot drive keys");
                 problems.push(told(

@@ -41,6 +41,8 @@ pub struct Library {
 pub struct GroupDef {
     /// Id of the group, which documents give as `kind`.
     pub id: String,
+    /// File name, as messages give it.
+    pub file: String,
     /// Folder of the file.
     pub category: String,
     /// Definition of the group: its graph and interface.
@@ -97,10 +99,8 @@ impl Library {
                 self.problems.push(kind_taken(&id, path));
                 continue;
             }
-            self.groups.insert(
-                id.clone(),
-                Arc::new(GroupDef { id, category: category.clone(), definition }),
-            );
+            let (file, category) = (path.to_owned(), category.clone());
+            self.groups.insert(id.clone(), Arc::new(GroupDef { id, file, category, definition }));
         }
     }
 

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use chiaro_locale::{Text, text};
+
 use crate::document::{LightField, LightQuantity};
 
 /// Type of a port.
@@ -187,33 +189,43 @@ impl Type {
                     | (Angle, Float)
             )
     }
+
+    /// Name of the type in the language that is spoken; `Display` writes it in English.
+    pub fn label(&self) -> &str {
+        self.name(Text::tr)
+    }
+
+    fn name(&self, told: fn(Text) -> &'static str) -> &str {
+        told(match self {
+            Self::Float => text!("type" => "float"),
+            Self::Int => text!("type" => "integer"),
+            Self::Bool => text!("type" => "switch"),
+            // Words of code, which are the same in every language.
+            Self::Vec2 => return "vec2",
+            Self::Vec3 => return "vec3",
+            Self::Vec4 => return "vec4",
+            Self::Prepared(name) => return name,
+            Self::Color => text!("type" => "color"),
+            Self::Composite => text!("type" => "composite"),
+            Self::Mat3 => text!("type" => "matrix"),
+            Self::Angle => text!("type" => "angle"),
+            Self::Light => text!("type" => "light"),
+            Self::Curve => text!("type" => "curve"),
+            Self::Ramp => text!("type" => "ramp"),
+            Self::Image => text!("type" => "image"),
+            Self::Hcbtf => text!("type" => "painted surface"),
+            Self::Casters => text!("type" => "casters"),
+            Self::ShadowMaps => text!("type" => "shadow maps"),
+            Self::Choice => text!("type" => "choice"),
+            Self::LightName => text!("type" => "light's id"),
+            Self::Text => text!("type" => "text"),
+        })
+    }
 }
 
 impl fmt::Display for Type {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Float => "float",
-            Self::Int => "integer",
-            Self::Bool => "switch",
-            Self::Vec2 => "vec2",
-            Self::Vec3 => "vec3",
-            Self::Vec4 => "vec4",
-            Self::Color => "color",
-            Self::Composite => "composite",
-            Self::Mat3 => "matrix",
-            Self::Angle => "angle",
-            Self::Light => "light",
-            Self::Curve => "curve",
-            Self::Ramp => "ramp",
-            Self::Image => "image",
-            Self::Hcbtf => "painted surface",
-            Self::Casters => "casters",
-            Self::ShadowMaps => "shadow maps",
-            Self::Choice => "choice",
-            Self::LightName => "light's id",
-            Self::Text => "text",
-            Self::Prepared(name) => name,
-        })
+        f.write_str(self.name(Text::english))
     }
 }
 

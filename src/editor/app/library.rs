@@ -93,7 +93,7 @@ impl App {
         let PartContent { kind, look, .. } = match &part.content {
             Ok(content) => content,
             Err(why) => {
-                self.message = Some(tr!("\"{part}\" cannot be read: {why}", part = part.name));
+                self.message = Some(tr!("\"{part}\" cannot be read: {why}", part = part.title()));
                 return;
             }
         };
@@ -106,7 +106,7 @@ impl App {
                 let text = tr!(
                     "{object} wears another look: click it, so that its look is open, and drop \
                      \"{part}\" once more",
-                    part = part.name
+                    part = part.title()
                 );
                 self.message = Some(text);
                 return;
@@ -190,7 +190,7 @@ impl App {
             _ => session.graph(),
         };
         let Some((id, node)) = id.and_then(|id| graph.nodes.get_key_value(&id)) else {
-            return Err(tr!("Select the node that \"{part}\" is for", part = part.name));
+            return Err(tr!("Select the node that \"{part}\" is for", part = part.title()));
         };
         let to = self.recipient();
         let mut values = placing::values(to, node, look, port.as_ref());
@@ -201,7 +201,7 @@ impl App {
         if values.is_empty() {
             return Err(tr!(
                 "{title} has no such value, so \"{part}\" is of no use to it",
-                part = part.name
+                part = part.title()
             ));
         }
         let wired = values.iter().filter(|(port, _)| graph.wire_into(id, port).is_some()).count();
@@ -215,7 +215,7 @@ impl App {
         let edit = session
             .keys()
             .set_all_at(values.iter().map(|(port, value)| (target(port), value.clone())));
-        let mut told = tr!("\"{part}\" is copied into {title}", part = part.name);
+        let mut told = tr!("\"{part}\" is copied into {title}", part = part.title());
         if wired > 0 {
             told += tr!(" · a wire decides in its place until it is taken off");
         }
@@ -225,7 +225,7 @@ impl App {
     /// Lets an object wear the file of a look.
     fn dress(&mut self, object: &ObjectId, part: &Part) {
         if part.is_shipped() {
-            self.message = Some(tr!("\"{part}\" has no file to wear", part = part.name));
+            self.message = Some(tr!("\"{part}\" has no file to wear", part = part.title()));
             return;
         }
         let path = part.path.clone();

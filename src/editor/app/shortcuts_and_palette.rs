@@ -5,7 +5,10 @@ use std::sync::Arc;
 
 use chiaro_locale::{Text, tr, tr_in};
 use eframe::egui;
-use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Align, Align2, Key, Label, Layout, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo,
+    vec2,
+};
 
 use crate::canvas::palette;
 use crate::catalog::NodeKind;
@@ -149,10 +152,13 @@ fn list(ui: &mut Ui, title: &str, rows: &[(String, String)]) {
     }
     for (key, what) in rows {
         ui.horizontal(|ui| {
-            ui.label(what);
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.add_space(10.0);
                 ui.label(RichText::new(key).color(theme::of(ui).dim));
+                // Words of other languages may need more than the keys leave.
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.add(Label::new(what).truncate());
+                });
             });
         });
     }

@@ -42,7 +42,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
     for problem in session.all_problems().filter(|problem| problem.severity > Severity::Note) {
         let Some(path) = &problem.place.node else { continue };
         let Some(id) = session.graph_view().step_of(path) else { continue };
-        let text = labelled(session.look_with_library(), &sentence(problem));
+        let text = labelled(session.look_with_library(), problem, &sentence(problem));
         let fixes = if path.last() == Some(id) { fixes::of(session, problem) } else { Vec::new() };
         match marks.get_mut(id) {
             // A group that is used several times reports the same problem for each use.

@@ -37,8 +37,8 @@ use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 use crate::commands::{Command, GraphCommand};
 use crate::diag::Severity;
 use crate::document::{GraphId, Wire};
-use crate::fields::names;
 use crate::ids::NodeId;
+use crate::library::Type;
 use crate::state::revision::{DocumentNumber, ProblemsRevision};
 use crate::state::session::Session;
 use crate::widgets::theme;
@@ -356,7 +356,7 @@ impl Canvas {
         let ports = if socket.is_output { &row.kind.outputs } else { &row.kind.inputs };
         let port = &ports[socket.port];
         let ty = self.table.socket_type(socket);
-        let mut lines = vec![format!("{} ({})", row.shown(&port.label), names::of_type(&ty))];
+        let mut lines = vec![format!("{} ({})", row.shown(&port.label), ty.label())];
         if !port.help.is_empty() {
             lines.push(row.shown(&port.help).to_owned());
         }
@@ -399,7 +399,7 @@ impl Canvas {
     fn wire_text(&self, index: usize) -> Option<String> {
         let wire = self.table.wires.get(index)?;
         let becomes = wire.becomes.as_ref()?;
-        let [from, to] = [&wire.ty, becomes].map(names::of_type);
+        let [from, to] = [&wire.ty, becomes].map(Type::label);
         Some(match wire.ty.converts_without_loss(becomes) {
             true => tr!("{from} becomes {to} here"),
             false => tr!("{from} becomes {to} here; something is lost on the way"),

@@ -172,7 +172,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
 }
 
 fn help_of(port: &Port) -> String {
-    let input = format!("{} ({})", port.name, port.ty);
+    let input = format!("{} ({})", port.name, port.ty.label());
     let short = |number: f64| values::short(port, &Value::Number(number));
     let told = match (port.min.map(short), port.max.map(short)) {
         (Some(min), Some(max)) => tr!("{input}, {min} to {max}"),
@@ -433,8 +433,7 @@ fn unset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port) -> Option<(Id, V
     };
     let (text, first) = match &port.fallback {
         Fallback::Context(context) => {
-            let what = values::context_words(*context);
-            (tr!("the surface's {what}", what = of_library(&what)), of_all(0.0))
+            (tr!("the surface's {what}", what = values::context_words(*context)), of_all(0.0))
         }
         Fallback::Same(other) => {
             let kind = subject.session.project.catalog.of(subject.node);
@@ -442,7 +441,7 @@ fn unset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port) -> Option<(Id, V
             let value = of_other
                 .and_then(|other| values::current(other, subject.node.values.get(&other.name)));
             (
-                tr!("as {input}", input = of_library(&values::words(other.as_str()))),
+                tr!("as {input}", input = values::input_words(other)),
                 value.cloned().or_else(|| of_all(1.0)),
             )
         }

@@ -15,7 +15,7 @@ use crate::export::package::{LookNeeds, PACKAGES, Package, PackageScene, export_
 use crate::export::{self, ExportOptions};
 use crate::fields::passes::{self, OutputPass};
 use crate::frame::Assets;
-use crate::library::Library;
+use crate::library::{Library, PassId};
 use crate::state::session::Session;
 use crate::state::snapshot::{RenderSnapshot, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
@@ -207,7 +207,8 @@ fn told(needs: &LookNeeds) -> String {
     let LookNeeds { lights, parameters, keys, images, painted_surfaces: surfaces, passes, .. } =
         needs;
     let some = |count: usize, text: String| (count > 0).then_some(text);
-    let passes: Vec<String> = passes.iter().map(|pass| pass.replace('_', " ")).collect();
+    let title = |name: &&'static str| PassId::from_slug(name).map_or(*name, PassId::title);
+    let passes: Vec<&str> = passes.iter().map(title).collect();
     let parts = [
         some(*lights, trn!(*lights, "{lights} light", "{lights} lights")),
         some(

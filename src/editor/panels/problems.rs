@@ -84,14 +84,14 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing.x = 5.0;
                 place(ui, session, problem, out);
-                let message = labelled(session.look_with_library(), &problem.message);
+                let message = labelled(session.look_with_library(), problem, &problem.message);
                 ui.label(message).on_hover_text(tr!("Code {code}", code = problem.code));
             });
             // A hint is left out where the button offers the same fix.
             let offered = problem.suggestion.filter(|_| mended.is_some());
             let hints = problem.hints.iter().enumerate();
             for (_, hint) in hints.filter(|(index, _)| Some(*index) != offered) {
-                let hint = labelled(session.look_with_library(), hint);
+                let hint = labelled(session.look_with_library(), problem, hint);
                 ui.label(RichText::new(hint).small().color(theme::of(ui).dim));
             }
         });
@@ -204,7 +204,7 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
         let look = session.look_with_library();
         let node = first.place.node.as_ref();
         let node = node.map(|path| format!("{}: ", look.title_of_path(path))).unwrap_or_default();
-        let text = format!("{node}{}", labelled(look, &first.message));
+        let text = format!("{node}{}", labelled(look, first, &first.message));
         ui.add(Label::new(text).selectable(false).truncate());
     });
     let rect = shown

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use chiaro_locale::tr;
 
 use crate::document::Tier;
-use crate::state::reading::tier_name;
+use crate::state::reading::tier_label;
 use crate::state::shelf::{SnapshotId, SnapshotShelf};
 
 /// Picture that is compared with another.
@@ -39,7 +39,7 @@ impl ComparedPicture {
         match self {
             Self::Present => tr!("As set").to_owned(),
             Self::Truth => tr!("Truth (f64)").to_owned(),
-            Self::Tier(tier) => tier_name(*tier).to_owned(),
+            Self::Tier(tier) => tier_label(*tier).to_owned(),
             Self::Snapshot(id) => shelf
                 .of(*id)
                 .map_or(tr!("A deleted snapshot"), |snapshot| &snapshot.name)

@@ -1,8 +1,8 @@
 //! Problems in words.
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Place};
 use crate::document::Target;
-use crate::ids::NodePath;
+use crate::ids::{NodePath, PortName};
 use crate::state::reading::{LookWithLibrary, of_library};
 
 /// A problem with its hints, one a line, for people.
@@ -15,14 +15,21 @@ pub(crate) fn sentence(problem: &Diagnostic) -> String {
     text
 }
 
-/// A text with the marks of code as quotes, in which nodes and their ports have the labels of the
-/// canvas: *Back-light / Blend* for `back_light/blend`.
-pub(crate) fn labelled(look: LookWithLibrary<'_>, text: &str) -> String {
+/// A text of a problem with the marks of code as quotes, in which nodes and their ports have the
+/// labels of the canvas: *Back-light / Blend* for `back_light/blend`, and *Below* for `below` where
+/// the problem is at that port.
+pub(crate) fn labelled(look: LookWithLibrary<'_>, problem: &Diagnostic, text: &str) -> String {
+    let Place { node, port, .. } = &problem.place;
+    let of_place = |part: &str| {
+        let port = port.as_ref().filter(|port| port.as_str() == part)?;
+        port_label(look, node.as_ref()?, port)
+    };
+    let shown = |part: &str| of_place(part).or_else(|| label_of(look, part));
     let mut parts = text.split('`');
     let mut told = parts.next().unwrap_or_default().to_owned();
     for (index, part) in parts.enumerate() {
         match index % 2 {
-            0 => told += &format!("\"{}\"", label_of(look, part).unwrap_or(part.to_owned())),
+            0 => told += &format!("\"{}\"", shown(part).unwrap_or(part.to_owned())),
             _ => told += part,
         }
     }
@@ -55,11 +62,16 @@ fn label_of(look: LookWithLibrary<'_>, word: &str) -> Option<String> {
     }
     let (path, port) = word.rsplit_once('.')?;
     let node = NodePath::parse(path);
-    let kind = look.catalog.of(look.node_at(&node)?)?;
-    let input = look.port_at(&Target::Input { node: node.clone(), port: port.into() });
-    let output = || kind.outputs.get(kind.output(port)?).cloned();
-    let port = input.or_else(output)?;
-    Some(format!("{}: {}", look.title_of_path(&node), of_library(&port.label)))
+    let port = port_label(look, &node, &port.into())?;
+    Some(format!("{}: {port}", look.title_of_path(&node)))
+}
+
+/// Label of an input or an output of a node.
+fn port_label(look: LookWithLibrary<'_>, node: &NodePath, port: &PortName) -> Option<String> {
+    let kind = look.catalog.of(look.node_at(node)?)?;
+    let input = look.port_at(&Target::Input { node: node.clone(), port: port.clone() });
+    let output = || kind.outputs.get(kind.output(port.as_str())?).cloned();
+    Some(of_library(&input.or_else(output)?.label).to_owned())
 }
 
 #[cfg(test)]
@@ -78,10 +90,14 @@ mod tests {
         let mut catalog = Catalog::new(library);
         catalog.sync(&look, library);
         let look = LookWithLibrary { look: &look, catalog: &catalog, library };
-        let told = labelled(look, "a ring: `rim.below` leads to `base.below`; `rim` is `a.b`, `x");
+        let text = "a ring: `rim.below` leads to `base.below`; `rim` is `a.b`, `x";
+        let problem = Diagnostic::error("ring", text);
         let expected = "a ring: \"Back-light: Below\" leads to \"Base: Stack\"; \"Back-light\" is \
                         \"a.b\", \"x\"";
-        assert_eq!(told, expected);
+        assert_eq!(labelled(look, &problem, text), expected);
+        let problem = problem.node(NodePath::root("rim".into())).port("cutoff".into());
+        let told = labelled(look, &problem, "`cutoff` of `rim` is no `falloff`");
+        assert_eq!(told, "\"Cut-off\" of \"Back-light\" is no \"falloff\"");
         let step = step_labelled(look, "wire base.below to rim.below");
         assert_eq!(step, "wire Base: Stack to Back-light: Below");
         let step = step_labelled(look, "change keys of lights.key.intensity");

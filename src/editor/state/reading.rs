@@ -259,8 +259,8 @@ pub(crate) fn of_choice(label: &str) -> &str {
     tr_in("choice", label)
 }
 
-/// Name of a tier, as the title of a choice.
-pub(crate) fn tier_name(tier: Tier) -> &'static str {
+/// Label of a tier.
+pub(crate) fn tier_label(tier: Tier) -> &'static str {
     match tier {
         Tier::Exact => tr!("Exact"),
         Tier::Balanced => tr!("Balanced"),

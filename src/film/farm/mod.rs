@@ -10,6 +10,8 @@ mod openjd;
 pub mod simulation;
 mod slurm;
 
+use chiaro_locale::{Text, text};
+
 use crate::diag::Diagnostic;
 use crate::frames::FrameList;
 
@@ -86,26 +88,28 @@ pub struct Farm {
     /// Word of the command line.
     pub word: &'static str,
     /// Way to submit the job's file.
-    pub submitted_by: &'static str,
+    pub submitted_by: Text,
     write: fn(&FarmJob) -> Result<String, Diagnostic>,
 }
 
 /// All farms.
 pub const FARMS: &[Farm] = &[
-    Farm { word: "slurm", submitted_by: "sh FILE", write: slurm::write },
+    Farm { word: "slurm", submitted_by: Text::new("sh FILE"), write: slurm::write },
     Farm {
         word: "openjd",
-        submitted_by: "openjd run FILE -p Folder=$PWD, or deadline bundle submit",
+        submitted_by: text!("openjd run FILE -p Folder=$PWD, or deadline bundle submit"),
         write: openjd::write,
     },
     Farm {
         word: "opencue",
-        submitted_by: "the launchSpec call of Cuebot, as python's opencue.api.launchSpec(text)",
+        submitted_by: text!(
+            "the launchSpec call of Cuebot, as python's opencue.api.launchSpec(text)"
+        ),
         write: opencue::write,
     },
     Farm {
         word: "flamenco",
-        submitted_by: "its folder of scripts, as a job type of Flamenco's manager",
+        submitted_by: text!("its folder of scripts, as a job type of Flamenco's manager"),
         write: flamenco::write,
     },
 ];

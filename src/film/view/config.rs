@@ -1,6 +1,7 @@
 //! Configurations: those of files and those that are built in, and the views that they have.
 
 use ::ocio::{Config, TransformDirection};
+use chiaro_locale::tr;
 
 use super::DisplayView;
 use crate::diag::Diagnostic;
@@ -53,7 +54,7 @@ impl ColorConfig {
             let found = std::fs::metadata(name);
             let length = found.map_err(|error| failure(name, &error.to_string()))?.len();
             if length > MAX_CONFIG_BYTES {
-                return Err(failure(name, "it is larger than any configuration"));
+                return Err(failure(name, tr!("it is larger than any configuration")));
             }
         }
         let config =
@@ -129,22 +130,22 @@ impl ColorConfig {
         let is_named = |name: &str| display.is_none_or(|wanted| wanted.eq_ignore_ascii_case(name));
         let of: Vec<&(String, Vec<String>)> =
             displays.iter().filter(|(name, _)| is_named(name)).collect();
-        let wrong = |message: String, wanted: &str, kind: &str, names: Vec<&str>| {
-            let all = format!("its {kind} are {}", names.join("; "));
+        let wrong = |message: String, wanted: &str, all: String, names: Vec<&str>| {
             Diagnostic::error("ocio", message).in_file(&self.name).suggest(wanted, names).hint(all)
         };
         if let (Some(display), true) = (display, of.is_empty()) {
-            let names = displays.iter().map(|(name, _)| name.as_str()).collect();
-            let message = format!("the configuration has no display `{display}`");
-            return Err(wrong(message, display, "displays", names));
+            let names: Vec<&str> = displays.iter().map(|(name, _)| name.as_str()).collect();
+            let message = tr!("the configuration has no display `{display}`");
+            let all = tr!("its displays are {names}", names = names.join("; "));
+            return Err(wrong(message, display, all, names));
         }
         let pairs = || of.iter().flat_map(|(name, views)| views.iter().map(move |one| (name, one)));
         let full = |name: &str, one: &str| format!("{name}/{one}").eq_ignore_ascii_case(view);
         let found = pairs().find(|(name, one)| one.eq_ignore_ascii_case(view) || full(name, one));
         found.map(|(name, one)| (name.clone(), one.clone())).ok_or_else(|| {
             let message = match display {
-                Some(display) => format!("the display `{display}` has no view `{view}`"),
-                None => format!("the configuration has no view `{view}`"),
+                Some(display) => tr!("the display `{display}` has no view `{view}`"),
+                None => tr!("the configuration has no view `{view}`"),
             };
             let mut names: Vec<&str> = Vec::new();
             for (_, name) in pairs() {
@@ -152,26 +153,27 @@ impl ColorConfig {
                     names.push(name);
                 }
             }
-            wrong(message, view, "views", names)
+            let all = tr!("its views are {names}", names = names.join("; "));
+            wrong(message, view, all, names)
         })
     }
 }
 
 fn failure(config: &str, reason: &str) -> Diagnostic {
-    let message = format!("the color configuration cannot be used: {}", reason.trim());
-    Diagnostic::error("ocio", message).in_file(config).hint(format!(
-        "name another by --ocio or $OCIO, such as the one that is built in, {BUILT_IN}"
-    ))
+    let message = tr!("the color configuration cannot be used: {reason}", reason = reason.trim());
+    Diagnostic::error("ocio", message)
+        .in_file(config)
+        .hint(tr!("name another by --ocio or $OCIO, such as the one that is built in, {BUILT_IN}"))
 }
 
 fn no_light(config: &str, reason: &str) -> Diagnostic {
-    let message = format!(
+    let message = tr!(
         "the configuration has no linear light with the primaries of Rec. 709, in which pictures \
-         are: {}",
-        reason.trim()
+         are: {reason}",
+        reason = reason.trim()
     );
-    Diagnostic::error("ocio", message).in_file(config).hint(
+    Diagnostic::error("ocio", message).in_file(config).hint(tr!(
         "give the alias `lin_rec709_scene` to its color space of linear Rec. 709 (sRGB), or name \
-         its ACES2065-1 by the role `aces_interchange`",
-    )
+         its ACES2065-1 by the role `aces_interchange`"
+    ))
 }

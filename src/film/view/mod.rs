@@ -11,6 +11,7 @@ mod config;
 mod module;
 
 use ::ocio::{CpuProcessor, Processor};
+use chiaro_locale::tr;
 
 pub use config::{BUILT_IN, ColorConfig, VIEW_VARIABLE};
 
@@ -84,8 +85,9 @@ impl DisplayView {
     /// `ocio` with the configuration's name, for a view that no shader computes.
     pub fn module(&self) -> Result<DisplayModule, Diagnostic> {
         module::module(&self.processor).map_err(|error| {
-            let message = format!("`{}` has no shader: {}", self.name(), error.message().trim());
-            let hint = "files are shown by it all the same: chiaro render --view";
+            let (name, why) = (self.name(), error.message());
+            let message = tr!("`{name}` has no shader: {why}", why = why.trim());
+            let hint = tr!("files are shown by it all the same: chiaro render --view");
             Diagnostic::error("ocio", message).in_file(&self.config).hint(hint)
         })
     }

@@ -57,7 +57,7 @@ pub(super) fn show(
 
 /// Shows the range and the step.
 fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
-    let help = tr!("First and last frame that are rendered, and every how manieth");
+    let help = tr!("First and last frame that are rendered, and the step from one to the next");
     labelled(ui, tr!("Frames"), help, |ui, _| {
         let [mut first, mut last] = choices.range(document);
         for (frame, name) in

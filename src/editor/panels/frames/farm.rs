@@ -83,7 +83,7 @@ fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
         ui.label(tr!("The job is {file}", file = job.file.display()));
         let name = job.file.file_name().unwrap_or_default().to_string_lossy();
         if let Some(farm) = Farm::named(job.farm) {
-            let by = farm.submitted_by.replace("FILE", &name);
+            let by = farm.submitted_by.tr().replace("FILE", &name);
             ui.horizontal_wrapped(|ui| {
                 ui.label(RichText::new(tr!("Submit it by")).color(colors.dim));
                 ui.label(RichText::new(&by).monospace());

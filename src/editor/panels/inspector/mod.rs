@@ -18,7 +18,7 @@ use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::lights;
 use crate::panels::table::{PanelPlace, PanelRow, PanelStack};
-use crate::state::reading::{tier_name, tier_word};
+use crate::state::reading::{tier_label, tier_word};
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
@@ -392,7 +392,7 @@ fn tier_row(
         |ui, label| {
             let runs = session.compilation().tier_of(&session.selection.path_of(id));
             let name = |tier: Option<Tier>| match (tier, runs) {
-                (Some(tier), _) => tier_name(tier).to_owned(),
+                (Some(tier), _) => tier_label(tier).to_owned(),
                 (None, Some(tier)) if node.tier.is_none() => {
                     tr!("As the look ({tier})", tier = tier_word(tier))
                 }
@@ -643,7 +643,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         tr!("Tier"),
         tr!("Which implementation nodes have that do not say their own"),
         |ui, label| {
-            let name = |tier: Option<Tier>| tier.map_or(tr!("Automatic"), tier_name);
+            let name = |tier: Option<Tier>| tier.map_or(tr!("Automatic"), tier_label);
             let combo = egui::ComboBox::from_id_salt("tier")
                 .width(ui.available_width().min(LIST))
                 .truncate()

@@ -47,7 +47,7 @@ pub(super) fn words(spot: &PartSpot, session: &Session) -> String {
         PartSpot::Layer(id) => tr!("onto {name}", name = title(id)),
         PartSpot::Top => tr!("on top of all").to_owned(),
         PartSpot::Canvas(_) => tr!("onto the canvas").to_owned(),
-        PartSpot::Wire(wire) => tr!("into the wire to {node}", node = wire.to.node),
+        PartSpot::Wire(wire) => tr!("into the wire to {node}", node = title(&wire.to.node)),
         PartSpot::Input(port) => tr!("to {port}"),
         PartSpot::Object(object) => tr!("onto {name}", name = object),
     }

@@ -50,8 +50,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> 
             _ => 3,
         });
         for category in categories {
-            let title = capital(category);
-            let title = tr_in("node", &title);
+            let title = capital(tr_in("node", category));
             let header = CollapsingHeader::new(title)
                 .id_salt(category)
                 .default_open(matches!(category, "layer" | "light" | "group"));
@@ -76,7 +75,7 @@ fn capital(word: &str) -> String {
 fn rank(kind: &NodeKind, query: &str) -> Option<u32> {
     let both = |text: &str| [text, tr_in("node", text)].map(str::to_lowercase);
     let (labels, helps) = (both(&kind.label), both(&kind.help));
-    let categories = both(&capital(&kind.category));
+    let categories = both(&kind.category);
     let has = |texts: &[String; 2], word: &str| texts.iter().any(|text| text.contains(word));
     let mut sum = 0;
     for word in query.to_lowercase().split_whitespace() {

@@ -62,11 +62,11 @@ impl PartCard {
         Self { preset: Some(preset), ..Self::new(part, None) }
     }
 
-    /// Name and description of the part, those of presets in the user's language.
+    /// Name and description of the part, those that Chiaro brings in the user's language.
     pub(super) fn words(&self) -> [&str; 2] {
         match self.preset {
             Some(preset) => [preset.name.tr(), preset.help.tr()],
-            None => [&self.part.name, &self.part.about],
+            None => [self.part.title(), self.part.shown(&self.part.about)],
         }
     }
 
@@ -217,12 +217,12 @@ impl PartCard {
             Ok(content) => tell(content.kind.help()),
             Err(why) => tell(why),
         }
-        let tags = &self.part.tags;
+        let tags = self.part.shown(&self.part.tags);
         let file = match self.part.is_shipped() {
             true => tr!("Comes with Chiaro").to_owned(),
             false => self.part.path.display().to_string(),
         };
-        for text in [tags, &file] {
+        for text in [tags, file.as_str()] {
             ui.label(eframe::egui::RichText::new(text).small().color(theme::of(ui).dim));
         }
     }
@@ -240,8 +240,8 @@ fn ghost(ui: &Ui, part: &Part, session: &Session) {
     let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
     ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
     let text = match drops::goal(ui.ctx()) {
-        Some(goal) => format!("{}: {}", part.name, drops::words(&goal, session)),
-        None => part.name.clone(),
+        Some(goal) => format!("{}: {}", part.title(), drops::words(&goal, session)),
+        None => part.title().to_owned(),
     };
     let area = Area::new(Id::unique("part ghost"))
         .order(Order::Tooltip)

@@ -256,11 +256,12 @@ impl SavedParts {
             let kind = part.content.as_ref().ok().map(|content| content.kind.text());
             let kind = kind.map(|kind| format!("{} {}", kind.english(), kind.tr()));
             let kind = kind.unwrap_or_default();
-            // Presets are found by English words, too.
+            // What Chiaro brings is found by English words, too.
             let [name, about] = card.words();
             let names = format!("{name} {}", part.name);
             let abouts = format!("{about} {}", part.about);
-            words::rank(query, &[&names, &part.tags, &kind, &abouts])
+            let tags = format!("{} {}", part.shown(&part.tags), part.tags);
+            words::rank(query, &[&names, &tags, &kind, &abouts])
         };
         let mut found: Vec<(usize, &PartCard)> = cards
             .filter(|card| is_kind(&card.part))

@@ -16,7 +16,7 @@ mod shipped;
 mod tests;
 pub(crate) mod upkeep;
 
-use chiaro_locale::{Text, text, tr};
+use chiaro_locale::{Text, text, tr, tr_in};
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -252,5 +252,16 @@ impl Part {
     /// True for a part that Chiaro ships, which has no file.
     pub(crate) fn is_shipped(&self) -> bool {
         self.path.starts_with(shipped::PREFIX)
+    }
+
+    /// A text of the part, such as its name, as it is shown: those of a part that Chiaro ships are
+    /// looked up.
+    pub(crate) fn shown<'t>(&self, text: &'t str) -> &'t str {
+        if self.is_shipped() { tr_in("example", text) } else { text }
+    }
+
+    /// Name of the part as it is shown.
+    pub(crate) fn title(&self) -> &str {
+        self.shown(&self.name)
     }
 }

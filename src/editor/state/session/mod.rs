@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, Edit, Graph, History, Look, SourceMap};
@@ -234,7 +234,7 @@ impl Session {
     /// Gives a look that has no file, and that nobody has named, the name of a file in words. No
     /// step is made: undo takes back what was done by hand.
     pub(crate) fn name_by_file(&mut self, path: &Path) {
-        let is_unnamed = ["", NEW_NAME].contains(&self.look().name.as_str());
+        let is_unnamed = ["", NEW_NAME.english()].contains(&self.look().name.as_str());
         let Some(stem) = path.file_stem().filter(|_| is_unnamed && self.path().is_none()) else {
             return;
         };
@@ -383,7 +383,7 @@ impl Session {
     /// Display name of the look: its file's name, or else its own. A look of the same name as the
     /// painting is told from it.
     pub(crate) fn name(&self) -> String {
-        self.name_or(tr!("New look"))
+        self.name_or(NEW_NAME.tr())
     }
 
     /// The name, or this one of a look that has none.
@@ -391,7 +391,7 @@ impl Session {
         let look = &self.look().name;
         match self.path().and_then(Path::file_name) {
             Some(name) => name.to_string_lossy().into_owned(),
-            None if look.is_empty() => unnamed.to_owned(),
+            None if look.is_empty() || look == NEW_NAME.english() => unnamed.to_owned(),
             None if self.painting.as_ref().is_some_and(|work| work.kept_name() == *look) => {
                 tr!("Look of {look}")
             }
@@ -595,7 +595,7 @@ impl Session {
 }
 
 /// Name of a new look, until somebody gives another.
-const NEW_NAME: &str = "New look";
+const NEW_NAME: Text = text!("New look");
 
 /// Text of a new look.
 const NEW_LOOK: &str = r##"{

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use chiaro_locale::tr;
 
-use super::Session;
+use super::{NEW_NAME, Session};
 use crate::clock;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
@@ -89,7 +89,8 @@ impl Session {
         {
             anchor_images(&mut look, &folder);
         }
-        let of = if look.name.is_empty() { self.name_or("New look") } else { look.name.clone() };
+        let of =
+            if look.name.is_empty() { self.name_or(NEW_NAME.english()) } else { look.name.clone() };
         look.name = format!("{of}, {}", snapshot.name);
         Some((look.to_text(), look.name))
     }

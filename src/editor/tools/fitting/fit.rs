@@ -212,6 +212,11 @@ fn why(problems: &[Diagnostic]) -> String {
                  layers. What is wired or keyed stays as it is.")
             .to_owned()
         }
+        "fit-output" => {
+            tr!("Nothing is wired into the look's Output: wire a color into it, over which light \
+                 is painted")
+            .to_owned()
+        }
         "fit-target" => {
             tr!("No stroke lies well inside of an object that wears this look").to_owned()
         }

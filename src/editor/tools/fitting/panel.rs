@@ -10,9 +10,11 @@ use eframe::egui::{
 use super::fit::FitOutcome;
 use super::{FitTool, target};
 use crate::commands::{Command, FitCommand, FitGoal, Switch};
-use crate::document::parse_hex;
+use crate::document::{Target, parse_hex};
 use crate::fit::{FitReport, KnobCounts, LookChange};
+use crate::ids::NodePath;
 use crate::state::problem_text::sentence;
+use crate::state::reading::LookWithLibrary;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -309,28 +311,28 @@ fn named(change: &LookChange, session: &Session) -> (String, String) {
             tr!("direction").to_owned(),
         );
     }
-    let (node, port) = match change.what {
-        "color" => change.place.rsplit_once('.').unwrap_or((change.place.as_str(), "color")),
-        _ => (change.place.as_str(), tr!("profile")),
+    let place = change.place.as_str();
+    let (node, port) = place.rsplit_once('.').unwrap_or((place, ""));
+    let (port, stop) = match port.strip_suffix(']').and_then(|port| port.split_once('[')) {
+        Some((ramp, index)) => (ramp, index.parse::<usize>().ok()),
+        None => (port, None),
     };
-    let port = match port.strip_suffix(']').and_then(|port| port.split_once('[')) {
-        Some((ramp, index)) => {
-            let number = index.parse::<usize>().unwrap_or_default() + 1;
-            tr!("{ramp}, stop {number}")
-        }
-        None => port.to_owned(),
-    };
-    let id = node.split('/').next().unwrap_or(node);
     // New layers are not in the open look yet, only in the preview.
-    let fitted = session
-        .sketchbook
-        .preview()
-        .and_then(|look| look.graph.nodes.get(id))
-        .map(|node| node.name.clone());
-    let title = fitted
-        .filter(|name| !name.is_empty())
-        .unwrap_or_else(|| session.look_with_library().title(&id.into()));
-    (title, port.replace('_', " "))
+    let open = session.look_with_library();
+    let fitted = session.sketchbook.preview().map(|look| LookWithLibrary { look, ..open });
+    let path = NodePath::parse(node);
+    let look = fitted.filter(|fitted| fitted.node_at(&path).is_some()).unwrap_or(open);
+    let title = path.ids().first().map_or_else(String::new, |id| look.title(id));
+    if port.is_empty() {
+        return (title, tr!("profile").to_owned());
+    }
+    let [_, label] = look.names_of(&Target::Input { node: path, port: port.into() });
+    (
+        title,
+        stop.map_or(label.clone(), |stop| {
+            tr!("{ramp}, stop {number}", ramp = label, number = stop + 1)
+        }),
+    )
 }
 
 /// Angle by which a light was turned, if the light existed before.
