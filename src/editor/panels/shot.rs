@@ -9,7 +9,7 @@ use eframe::egui::{
 
 use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand};
 use crate::document::{FrameRate, ShotEdit};
-use crate::fields::row::labelled;
+use crate::fields::row::{labelled, several};
 use crate::frame::ValueChange;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
@@ -84,7 +84,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
     };
     let [mut first, mut last] = shot.stack().frames();
     let before = [first, last];
-    labelled(ui, tr!("Frames"), inherited(shot.shot().frames.is_some()), |ui, _| {
+    several(ui, tr!("Frames"), inherited(shot.shot().frames.is_some()), |ui| {
         for (frame, name, is_first) in
             [(&mut first, tr!("First frame"), true), (&mut last, tr!("Last frame"), false)]
         {
@@ -120,7 +120,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
     size(ui, shot, out);
     let help = tr!("Looks, lights and values of objects are held for so many frames; cameras and \
                     objects move on every one");
-    labelled(ui, tr!("Shading on"), help, |ui, _| {
+    several(ui, tr!("Shading on"), help, |ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         for (step, text) in STEPS {
             let is_it = shot.stack().step() == step;
@@ -163,7 +163,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
 }
 
 fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
-    labelled(ui, tr!("Size"), tr!("Width and height of its pictures, in pixels"), |ui, _| {
+    several(ui, tr!("Size"), tr!("Width and height of its pictures, in pixels"), |ui| {
         let Some(mut size) = shot.stack().size() else {
             if ui
                 .button(tr!("by the command"))
