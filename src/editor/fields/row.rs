@@ -31,6 +31,11 @@ const MIXED: Text = text!("The selected nodes have different values; setting it 
 const LABEL: f32 = 92.0;
 const LABEL_PART: f32 = 0.44;
 
+/// Room that the number beside a slider takes, in points, and the least room of both: where there
+/// is less, the number alone is dragged.
+const NUMBER: f32 = 66.0;
+const SLIDER: f32 = NUMBER + 40.0;
+
 /// Width of the label of a row that begins here, in points.
 fn label_width(ui: &Ui) -> f32 {
     (ui.available_width() * LABEL_PART).clamp(40.0, LABEL)
@@ -40,6 +45,12 @@ fn label_width(ui: &Ui) -> f32 {
 pub(crate) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
     let text = RichText::new(label).color(theme::of(ui).text);
     marked(ui, text, help, None, &mut Vec::new(), |ui, id, _| add(ui, id));
+}
+
+/// Shows a label with help, and several widgets, which take another line where a narrow row has no
+/// room for all.
+pub(crate) fn several(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui)) {
+    labelled(ui, label, help, |ui, _| drop(ui.horizontal_wrapped(add)));
 }
 
 /// Shows a label with help, a widget that is named by it, and the mark of its target.
@@ -100,6 +111,7 @@ fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::R
     });
     // What follows the label is shortened where a narrow row has no room for it.
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
+    ui.spacing_mut().combo_width = ui.spacing().combo_width.min(ui.available_width());
     if help.is_empty() { response.inner } else { response.inner.on_hover_text(help) }
 }
 
@@ -479,8 +491,8 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
         1
     };
     let response = match (port.min, port.max) {
-        (Some(min), Some(max)) => {
-            ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
+        (Some(min), Some(max)) if ui.available_width() > SLIDER => {
+            ui.spacing_mut().slider_width = ui.available_width() - NUMBER;
             let range = min * scale..=max * scale;
             let slider = Slider::new(&mut shown, range).suffix(suffix).max_decimals(decimals);
             let slider = slider.clamping(egui::SliderClamping::Edits);

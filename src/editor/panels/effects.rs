@@ -31,6 +31,8 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 });
 
 const ROW: f32 = 20.0;
+/// Least width of a row that tells the reason of an effect, in points.
+const REASONED: f32 = 330.0;
 const STATES: [EffectState; 3] = [EffectState::Runs, EffectState::Cached, EffectState::Dropped];
 
 /// State of the panel.
@@ -190,10 +192,14 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     };
     let font = FontId::proportional(theme::TEXT_SIZE);
     let (left, width) = (rect.left() + 18.0, rect.width() - 18.0);
-    let name_width = (width * 0.3).clamp(70.0, 220.0);
+    // In a narrow panel the reason is told by the help alone.
+    let has_reason = width > REASONED;
+    let shares = if has_reason { [0.3, 0.24, 0.22] } else { [0.38, 0.31, 0.31] };
+    let [name_width, cost_width, proof_width] = shares.map(|share| width * share);
+    let name_width = name_width.clamp(70.0, 220.0);
     let proof = effect.proof.map(|proof| proof.label());
-    let proof_width = if proof.is_some() { (width * 0.22).min(140.0) } else { 0.0 };
-    let cost_width = (width * 0.24).min(130.0);
+    let proof_width = if proof.is_some() { proof_width.min(140.0) } else { 0.0 };
+    let cost_width = cost_width.min(130.0);
     let column = |from: f32, width: f32| {
         Rect::from_min_size(pos2(from, rect.top()), vec2(width, rect.height()))
     };
@@ -204,7 +210,9 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let reason = effect.reason.replace('`', "");
     let reason_left = left + name_width + cost_width;
     let reason_width = (rect.right() - proof_width - 8.0 - reason_left).max(0.0);
-    cell(ui, column(reason_left, reason_width), &reason, font.clone(), theme::of(ui).dim);
+    if has_reason {
+        cell(ui, column(reason_left, reason_width), &reason, font.clone(), theme::of(ui).dim);
+    }
     if let Some(proof) = proof {
         cell(
             ui,

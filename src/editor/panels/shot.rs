@@ -123,7 +123,9 @@ fn inherited(
         });
         response.on_hover_text(&help);
     };
-    row::with_slot(ui, text, &help, slot, |ui, id| add(ui, id, out));
+    row::with_slot(ui, text, &help, slot, |ui, id| {
+        ui.horizontal_wrapped(|ui| add(ui, id, out));
+    });
     if is_reset {
         push(out, ShotCommand::Edit(reset));
     }

@@ -22,7 +22,7 @@ pub(super) fn show_picture(
     match picture.update(session, size, is_held || turns, dt) {
         Some(texture) => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
-            paint_exposed(&ui.painter_at(rect), texture, rect, stops);
+            paint_exposed(&ui.painter_at(rect), texture, picture.place(rect), stops);
         }
         None => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);

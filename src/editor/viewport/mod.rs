@@ -332,6 +332,7 @@ impl Viewport {
         self.arrows =
             surface.map(|surface| arrows::of(session, surface, rect, pointer)).unwrap_or_default();
         arrows::paint(ui, rect, &self.arrows);
+        let mut is_strip_open = false;
         if let Some(mark) = owner.and_then(|tool| tool.mark) {
             response.on_hover_cursor(CursorIcon::Crosshair);
             mark(tools, ui, rect);
@@ -355,12 +356,14 @@ impl Viewport {
                 });
             }
             if let Some(layer) = &handles.layer {
-                strip::show(ui, rect, session, layer, &mut out);
+                let told = picture.as_deref().map(|picture| readout::width(ui, rect, picture));
+                let layer = (layer, told.unwrap_or_default());
+                is_strip_open = strip::show(ui, rect, session, layer, &mut out);
             }
         }
         let through = self.through.as_ref().map(|through| through.name(session));
         bar::over_top(ui, rect, session, through.as_deref(), &mut self.stands, &mut out);
-        if let Some(picture) = picture {
+        if let Some(picture) = picture.filter(|_| !is_strip_open) {
             readout::show(ui, rect, picture, &mut out);
         }
         out

@@ -7,7 +7,7 @@ use std::sync::{Arc, Weak};
 use std::time::Duration;
 
 use chiaro_locale::tr;
-use eframe::egui::TextureId;
+use eframe::egui::{Rect, TextureId, vec2};
 use eframe::egui_wgpu::RenderState;
 
 use super::stopwatch::{Stopwatch, TimedWork};
@@ -64,6 +64,8 @@ struct PictureRequest {
     showing: DrawableLook,
     snapshot: RenderSnapshot,
     size: [u32; 2],
+    /// Size of the picture's place in the window, before it was made coarser, in pixels.
+    room: [u32; 2],
     /// True if the picture's effects are to be reported.
     tells_effects: bool,
     /// True if the operations of nodes are to be counted.
@@ -87,6 +89,7 @@ struct PictureInputs {
 /// Drawn picture; without a texture where it could not be drawn.
 struct DrawnPicture {
     subject: PictureSubject,
+    room: [u32; 2],
     texture: Option<wgpu::TextureView>,
     /// Resources that were made for the picture, and need not be made for the next one.
     ready: Option<PreparedAssets>,
@@ -190,6 +193,8 @@ pub(crate) struct ViewportPicture {
     texture: Option<TextureId>,
     /// Subject of the picture that is shown.
     shown: Option<PictureSubject>,
+    /// Size of the place that the shown picture was drawn for, in pixels.
+    shown_room: [u32; 2],
     wanted: Option<PictureInputs>,
     pace: Pace,
     /// Resources that the last picture was drawn with.
@@ -244,6 +249,7 @@ impl ViewportPicture {
             cost: Default::default(),
             texture: None,
             shown: None,
+            shown_room: [0; 2],
             wanted: None,
             pace: Pace::default(),
             ready: None,
@@ -303,6 +309,7 @@ impl ViewportPicture {
             if let Some(view) = drawn.texture {
                 self.show(&view);
                 self.shown = Some(drawn.subject);
+                self.shown_room = drawn.room;
             }
             self.ready = drawn.ready.or(self.ready.take());
             self.problems = drawn.problems;
@@ -353,12 +360,13 @@ impl ViewportPicture {
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
             let first_of = (!is_ready).then(|| session.shown_file());
             let (subject, counts) = (PictureSubject::of(session), self.counts);
-            let tells_effects = self.tells_effects;
+            let (room, tells_effects) = (self.size, self.tells_effects);
             self.worker.request(|_| PictureRequest {
                 subject,
                 showing,
                 snapshot,
                 size,
+                room,
                 tells_effects,
                 counts,
                 first_of,
@@ -366,6 +374,14 @@ impl ViewportPicture {
             return true;
         }
         false
+    }
+
+    /// Place of the shown picture in its room in the window, which it may reach out of.
+    pub(crate) fn place(&self, room: Rect) -> Rect {
+        match self.shown_room == self.size {
+            true => room,
+            false => as_high_as(room, self.shown_room),
+        }
     }
 
     /// Factor between pixels of the screen and of the picture, along each side; 1 at rest.
@@ -458,7 +474,7 @@ struct PictureRenderer {
 
 impl PictureRenderer {
     async fn draw(&mut self, request: &PictureRequest) -> DrawnPicture {
-        let subject = request.subject.clone();
+        let (subject, room) = (request.subject.clone(), request.room);
         let going = request.first_of.as_ref().map(|(name, path)| {
             let origin = || DocumentOrigin::new(name, path.as_deref(), &request.showing.look);
             self.crashes.begin(CrashStep::Draw, origin)
@@ -470,6 +486,7 @@ impl PictureRenderer {
                 let ready = Some(PreparedAssets::of(&request.showing, &request.snapshot));
                 DrawnPicture {
                     subject,
+                    room,
                     texture: self.renderer.shown_view(),
                     ready,
                     problems,
@@ -480,6 +497,7 @@ impl PictureRenderer {
             }
             Err(problems) => DrawnPicture {
                 subject,
+                room,
                 texture: None,
                 ready: None,
                 problems,
@@ -537,6 +555,14 @@ impl PictureRenderer {
     }
 }
 
+/// Place of a picture of another shape, in pixels, until the picture of the room's shape is there:
+/// in the room's middle, not stretched, and as high, since all pictures of a camera see as much in
+/// height. So nothing moves when the new picture comes.
+fn as_high_as(room: Rect, [width, height]: [u32; 2]) -> Rect {
+    let aspect = width.max(1) as f32 / height.max(1) as f32;
+    Rect::from_center_size(room.center(), vec2(room.height() * aspect, room.height()))
+}
+
 /// Problem of a view that the picture is not shown by: it is shown by the curve of sRGB.
 fn not_shown(mut problem: Diagnostic) -> Diagnostic {
     problem.severity = Severity::Warning;
@@ -547,7 +573,20 @@ fn not_shown(mut problem: Diagnostic) -> Diagnostic {
 
 #[cfg(test)]
 mod tests {
+    use eframe::egui::pos2;
+
     use super::*;
+
+    #[test]
+    fn a_picture_of_another_shape_keeps_its_own() {
+        let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(300.0, 200.0));
+        let at = |size| as_high_as(room, size);
+        let narrow = at([400, 800]);
+        assert_eq!((narrow.center(), narrow.size()), (room.center(), vec2(100.0, 200.0)));
+        assert_eq!(at([1000, 500]).size(), vec2(400.0, 200.0), "cut off at its sides");
+        assert_eq!(at([450, 300]), room, "of another scale alone it fills the room");
+        assert!(at([0, 0]).is_finite());
+    }
 
     #[test]
     fn a_slow_picture_is_coarser_while_a_hand_is_at_work() {

@@ -5,7 +5,8 @@
 use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{
-    Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
+    Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, TextWrapMode, Ui, UiBuilder,
+    Vec2, WidgetText, pos2, vec2,
 };
 
 use crate::commands::Command;
@@ -30,16 +31,17 @@ struct StripState {
     widgets: Vec<Id>,
 }
 
-/// Shows the strip, or its tab while the pointer is elsewhere.
+/// Shows the strip, or its tab while the pointer is elsewhere, which leaves `beside` points of the
+/// picture's width free. Returns true while the strip is open.
 pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
     session: &Session,
-    layer: &SelectedLayer,
+    (layer, beside): (&SelectedLayer, f32),
     out: &mut Vec<Command>,
-) {
+) -> bool {
     if rect.height() < LEAST_HEIGHT {
-        return;
+        return false;
     }
     let room = rect.shrink(8.0);
     let id = ui.scope_id().with("strip").with(&layer.node);
@@ -65,7 +67,8 @@ pub(super) fn show(
     if now.is_open {
         open(ui, room, id, session, layer, &mut now.widgets, out);
     } else {
-        let tab = tab(ui, room, id, layer);
+        let free = room.with_max_x(room.right() - beside);
+        let tab = tab(ui, free, id, layer);
         now.is_open = tab.clicked() || tab.has_focus() || tab.hovered() && !is_held;
         if now.is_open {
             ui.ctx().request_repaint();
@@ -73,17 +76,19 @@ pub(super) fn show(
         // The focus goes on from the tab to the first of the values.
         now.widgets.push(tab.id);
     }
+    let is_open = now.is_open;
     ui.data_mut(|data| data.insert_temp(state, now));
+    is_open
 }
 
 /// Shows the tab of the closed strip, with the layer's name.
 fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &SelectedLayer) -> Response {
-    let font = egui::TextStyle::Body.resolve(ui.style());
     let colors = theme::of(ui);
-    let galley = ui.painter().layout_no_wrap(layer.name.clone(), font, colors.dim);
-    let dots = 3.0 * DOT + 4.0;
-    let size = galley.size() + vec2(dots + 16.0, 6.0);
-    let size = vec2(size.x.min(room.width()), size.y);
+    let around = vec2(3.0 * DOT + 20.0, 6.0);
+    let name = WidgetText::from(RichText::new(&layer.name).color(colors.dim));
+    let width = (room.width() - around.x).max(0.0);
+    let galley = name.into_galley(ui, Some(TextWrapMode::Truncate), width, egui::TextStyle::Body);
+    let size = galley.size() + around;
     let rect = Align2::LEFT_BOTTOM.align_size_within_rect(size, room);
     let response = ui.interact(rect, id.with("tab"), egui::Sense::click());
     response.widget_info(|| {
@@ -100,7 +105,8 @@ fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &SelectedLayer) -> Response {
         painter.circle_filled(at, 4.0, theme::HALO);
         painter.circle_filled(at, 3.0, theme::curve(index.into()));
     }
-    painter.galley(pos2(rect.left() + 8.0 + dots, rect.top() + 3.0), galley, colors.dim);
+    let at = rect.left_top() + vec2(around.x - 8.0, around.y / 2.0);
+    painter.galley(at, galley, colors.dim);
     response.on_hover_text(tr!("The layer's angles, colors and shape, while the pointer is here"))
 }
 

@@ -259,6 +259,23 @@ pub(crate) fn lead(ui: &mut Ui, text: &str, width: f32) -> Response {
     .inner
 }
 
+/// Shows widgets that belong together, such as a name and its field: in a row that wraps they go to
+/// the next line together.
+pub(crate) fn together<R>(ui: &mut Ui, salt: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
+    let id = ui.scope_id().with(("together", salt));
+    // The width is that of the frame before.
+    let known: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let size = vec2(known, ui.spacing().interact_size.y);
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let shown = ui.allocate_ui_with_layout(size, layout, add);
+    let width = shown.response.rect.width();
+    if (width - known).abs() > 0.5 {
+        ui.data_mut(|data| data.insert_temp(id, width));
+        ui.ctx().request_discard("widgets that belong together have another width");
+    }
+    shown.inner
+}
+
 /// Rectangle of a whole texture.
 pub(crate) fn whole() -> Rect {
     Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))

@@ -1,17 +1,19 @@
 //! Dock: the panels of the window, and their layout. Panels can be dragged by their tabs, stacked,
 //! split, closed and brought back; the layout is remembered.
 
+mod columns;
+mod tabs;
 mod workspace;
 
 use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
-    Color32, Rect, Response, Sense, Stroke, TextStyle, Ui, UiBuilder, Vec2, Visuals, WidgetInfo,
-    WidgetText, vec2,
+    Color32, Rect, Response, Sense, Stroke, TextStyle, TextWrapMode, Ui, UiBuilder, Vec2, Visuals,
+    WidgetInfo, WidgetText, vec2,
 };
 use egui_tiles::{
-    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tabs, Tile, TileId,
-    Tiles, Tree, UiResponse,
+    Behavior, Container, EditAction, Linear, LinearDir, SimplificationOptions, TabState, Tabs,
+    Tile, TileId, Tiles, Tree, UiResponse,
 };
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
@@ -19,14 +21,13 @@ use crate::commands::PanelId;
 use crate::panels::{self, PANELS, PanelRow, PanelStack};
 
 use crate::widgets::theme;
+use tabs::TabWidths;
 pub(crate) use workspace::Workspace;
 
-/// Room beside the name on a tab, in points.
-const TAB_MARGIN: f32 = 20.0;
-/// Width of the arrows that scroll tabs, in points.
-const ARROW: f32 = 30.0;
-/// Number of frames in which a tab that came to the front is brought into view.
-const FRAMES: u8 = 3;
+/// Height of the row of tabs, which is also the side of the arrows that scroll them; in points.
+const BAR: f32 = 28.0;
+/// Least room beside the name on a tab, in points.
+const TAB_MARGIN: f32 = 10.0;
 /// Smallest size that panels are laid out in, in points.
 const LEAST: Vec2 = Vec2::splat(48.0);
 
@@ -112,10 +113,21 @@ impl Dock {
         ui: &mut Ui,
         content: &mut dyn FnMut(&mut Ui, &'static PanelRow),
     ) {
-        let mut shown = TileBehavior { content, is_changed: false, wanted: None };
+        let own_shares = self.widen_columns(ui.available_width());
+        let mut shown = TileBehavior {
+            content,
+            is_changed: false,
+            is_resized: false,
+            widths: TabWidths::default(),
+            wanted: None,
+        };
         self.tree.ui(&mut shown, ui);
-        self.is_changed |= shown.is_changed;
-        if let Some(wanted) = shown.wanted {
+        let TileBehavior { is_changed, is_resized, wanted, .. } = shown;
+        self.is_changed |= is_changed;
+        if let Some(own) = own_shares.filter(|_| !is_resized) {
+            self.restore_columns(own);
+        }
+        if let Some(wanted) = wanted {
             self.tree.make_active(|tile, _| tile == wanted);
             self.is_changed = true;
         }
@@ -217,6 +229,9 @@ fn below_graph(tiles: &mut Tiles<Pane>, pane: TileId) -> Option<()> {
 struct TileBehavior<'a> {
     content: &'a mut dyn FnMut(&mut Ui, &'static PanelRow),
     is_changed: bool,
+    /// True if a hand moved the boundary of two tiles.
+    is_resized: bool,
+    widths: TabWidths,
     /// Panel that was chosen from the list of those without room for their tabs.
     wanted: Option<TileId>,
 }
@@ -258,28 +273,24 @@ impl Behavior<Pane> for TileBehavior<'_> {
         };
         let colors = theme::of(ui);
         let color = if state.active { colors.text } else { colors.dim };
-        let font = TextStyle::Body.resolve(ui.style());
-        let galley = ui.painter().layout_no_wrap(panel.label.tr().to_owned(), font, color);
-        let (_, rect) =
-            ui.allocate_space(vec2(galley.size().x + TAB_MARGIN, ui.available_height()));
+        let size = vec2(self.widths.of(tile), ui.available_height());
+        let (_, rect) = ui.allocate_space(size);
         let response = ui.interact(rect, id, Sense::click_and_drag());
         response.widget_info(|| {
             WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label.tr())
         });
-        if !state.is_being_dragged {
+        let font = TextStyle::Body.resolve(ui.style());
+        let name = WidgetText::from(panel.label.tr());
+        let room = (size.x - TAB_MARGIN).max(0.0);
+        let galley = name.into_galley(ui, Some(TextWrapMode::Truncate), room, font);
+        let is_whole = !galley.elided;
+        if !state.is_being_dragged && size.x > 0.0 {
             let color = if response.hovered() { colors.text } else { color };
-            // A name that the end of the row cuts off is left out, and not shown in half letters.
-            let seen = rect.intersect(ui.clip_rect()).shrink2(vec2(TAB_MARGIN / 4.0, 0.0));
-            let name = galley.size().x;
-            if seen.width() >= name {
-                let middle =
-                    rect.center().x.clamp(seen.left() + name / 2.0, seen.right() - name / 2.0);
-                let at = egui::pos2(middle, rect.center().y) - galley.size() / 2.0;
-                ui.painter().galley_with_override_text_color(at, galley, color);
-            }
+            let at = rect.center() - galley.size() / 2.0;
+            ui.painter().galley_with_override_text_color(at, galley, color);
             if state.active {
                 ui.painter().hline(
-                    rect.shrink(10.0).x_range(),
+                    rect.shrink(TAB_MARGIN / 2.0).x_range(),
                     rect.bottom() - 2.0,
                     Stroke::new(2.0, colors.accent),
                 );
@@ -295,76 +306,30 @@ impl Behavior<Pane> for TileBehavior<'_> {
             tiles.remove(tile);
             self.is_changed = true;
         }
-        response.on_hover_text(panel.help.tr())
+        match is_whole {
+            true => response.on_hover_text(panel.help.tr()),
+            false => response.on_hover_text(format!("{}\n{}", panel.label.tr(), panel.help.tr())),
+        }
     }
 
-    /// Shows a list of all panels where their tabs have no room beside each other, and keeps the
-    /// front tab in view.
+    /// Lays out the tabs of a stack before they are drawn, so that nothing is left to scroll.
     fn top_bar_right_ui(
         &mut self,
         tiles: &Tiles<Pane>,
         ui: &mut Ui,
-        stack: TileId,
+        _: TileId,
         tabs: &Tabs,
         offset: &mut f32,
     ) {
-        let font = TextStyle::Body.resolve(ui.style());
-        let mut end = 0.0;
-        let mut all = Vec::new();
-        for (tile, panel) in
-            tabs.children.iter().filter_map(|tile| Some((*tile, tiles.get_pane(tile)?.0)))
-        {
-            let galley = ui.painter().layout_no_wrap(
-                panel.label.tr().to_owned(),
-                font.clone(),
-                Color32::WHITE,
-            );
-            let from = end;
-            end += galley.size().x + TAB_MARGIN;
-            all.push((tile, panel, from..=end));
-        }
-        if end <= ui.available_width() {
-            return;
-        }
-        ui.add_space(4.0);
-        let menu = ui.menu_button("...", |ui| {
-            for (tile, panel, _) in &all {
-                let is_it = tabs.active == Some(*tile);
-                let entry =
-                    ui.selectable_label(is_it, panel.label.tr()).on_hover_text(panel.help.tr());
-                let label = tr!("Show {panel}", panel = panel.label);
-                entry.widget_info(|| {
-                    WidgetInfo::selected(egui::Role::MenuItem, true, is_it, &label)
-                });
-                if entry.clicked() {
-                    self.wanted = Some(*tile);
-                    ui.close();
-                }
-            }
-        });
-        menu.response.widget_info(|| {
-            WidgetInfo::labeled(egui::Role::Button, true, tr!("All panels of this stack"))
-        });
-        menu.response.on_hover_text(tr!("Lists all panels that lie here"));
-        let known = egui::Id::unique("front tab").with(stack);
-        let (before, frames) =
-            ui.data(|data| data.get_temp::<(Option<TileId>, u8)>(known)).unwrap_or_default();
-        let Some((tile, _, span)) = all.into_iter().find(|(tile, ..)| tabs.active == Some(*tile))
-        else {
-            return;
-        };
-        let frames = if before == Some(tile) { frames.saturating_add(1) } else { 0 };
-        // The common width of all tabs is only known in the next frame.
-        if frames < FRAMES {
-            let room = (ui.available_width() - 2.0 * ARROW).max(0.0);
-            *offset = offset.max(*span.end() - room).min(*span.start());
-            ui.data_mut(|data| data.insert_temp(known, (Some(tile), frames)));
-            ui.ctx().request_repaint();
-        }
+        self.wanted = self.widths.lay_out(ui, tiles, tabs).or(self.wanted);
+        // The arrows that scroll come by what the tabs took in the last frame, when the row may
+        // have been wider. An offset of an arrow's width allows for that; the tiles clamp it to 0
+        // before they draw.
+        *offset = BAR;
     }
 
     fn tab_bar_height(&self, _: &egui::Style) -> f32 {
-        28.0
+        BAR
     }
 
     fn tab_bar_color(&self, visuals: &Visuals) -> Color32 {
@@ -383,7 +348,8 @@ impl Behavior<Pane> for TileBehavior<'_> {
         SimplificationOptions { all_panes_must_have_tabs: true, ..SimplificationOptions::default() }
     }
 
-    fn on_edit(&mut self, _: egui_tiles::EditAction) {
+    fn on_edit(&mut self, edit: EditAction) {
         self.is_changed = true;
+        self.is_resized |= edit == EditAction::TileResized;
     }
 }

@@ -27,6 +27,8 @@ use crate::widgets::theme;
 pub(super) const ROW: f32 = 52.0;
 /// Width below which a row shows no thumbnail, in points.
 const NARROW: f32 = 230.0;
+/// Width of the number that is a layer's opacity, in points.
+const NUMBER: f32 = 46.0;
 /// Side of a thumbnail, in points.
 pub(super) const PICTURE: f32 = 46.0;
 
@@ -452,14 +454,17 @@ impl Row<'_> {
         }
         let known = modes.iter().find(|(_, known)| *known == word).map(|(label, _)| label.clone());
         let value = known.or(word.clone()).unwrap_or_default();
-        let combo =
-            ComboBox::from_id_salt("mode").width(82.0).selected_text(&value).show_ui(ui, |ui| {
-                for (label, known) in &modes {
-                    if ui.selectable_label(*known == word, label).clicked() && *known != word {
-                        out.extend(self.set_mode(known.as_deref()).map(Command::Edit));
-                    }
+        let has_mask = mask::of(self.session.look(), self.id).is_some();
+        let beside = NUMBER + if has_mask { ICON + 8.0 } else { 4.0 };
+        let width = (ui.available_width() - beside).clamp(40.0, 82.0);
+        let combo = ComboBox::from_id_salt("mode").width(width).truncate();
+        let combo = combo.selected_text(&value).show_ui(ui, |ui| {
+            for (label, known) in &modes {
+                if ui.selectable_label(*known == word, label).clicked() && *known != word {
+                    out.extend(self.set_mode(known.as_deref()).map(Command::Edit));
                 }
-            });
+            }
+        });
         combo.response.widget_info(|| {
             let mut info = WidgetInfo::labeled(Role::ComboBox, true, tr!("Blending of {title}"));
             info.current_text_value = Some(value.clone());
@@ -557,9 +562,8 @@ impl Row<'_> {
         let target =
             Target::Input { node: NodePath::root(holder.clone()), port: port.name.clone() };
         let mut percent = values::number(self.session.keys().value_at(&target).as_ref()) * 100.0;
-        let number_width = 46.0;
-        ui.spacing_mut().slider_width = (ui.available_width() - number_width - 6.0).max(20.0);
-        let has_slider = ui.available_width() > number_width + 36.0;
+        ui.spacing_mut().slider_width = (ui.available_width() - NUMBER - 6.0).max(20.0);
+        let has_slider = ui.available_width() > NUMBER + 36.0;
         let slider = Slider::new(&mut percent, 0.0..=100.0)
             .clamping(egui::SliderClamping::Edits)
             .show_value(false);
@@ -569,7 +573,7 @@ impl Row<'_> {
         let drag = DragValue::new(&mut percent).range(0.0..=100.0).clamp_existing_to_range(false);
         let drag = drag.max_decimals(0).suffix("%").speed(0.5);
         let on_number =
-            ui.add_sized(vec2(number_width, 20.0), drag).on_hover_text(tr_in("node", &port.help));
+            ui.add_sized(vec2(NUMBER, 20.0), drag).on_hover_text(tr_in("node", &port.help));
         let slider = on_slider.iter().map(|response| (response, Role::Slider));
         for (response, role) in slider.chain([(&on_number, Role::SpinButton)]) {
             response.widget_info(|| {

@@ -75,6 +75,9 @@ enum LibraryTab {
     Looks,
 }
 
+/// Least width of the search beside the tabs, in points: a narrower one takes the next line.
+const SEARCH: f32 = 130.0;
+
 /// The panel of nodes, parts and looks, and its state.
 #[derive(Default)]
 pub(crate) struct LibraryPanel {
@@ -87,26 +90,36 @@ pub(crate) struct LibraryPanel {
     recent_of: (Vec<PathBuf>, SuspectsRevision),
 }
 
+fn search(ui: &mut Ui, query: &mut String, what: &str) {
+    let width = ui.available_size_before_wrap().x;
+    let response = ui.add(TextEdit::singleline(query).hint_text(what).desired_width(width));
+    response.widget_info(|| WidgetInfo::labeled(Role::SearchInput, true, what));
+}
+
 impl LibraryPanel {
     /// Shows the tabs, and the search.
     fn bar(&mut self, ui: &mut Ui) {
-        ui.horizontal(|ui| {
+        let what = match self.tab {
+            LibraryTab::Nodes => tr!("Search nodes"),
+            LibraryTab::Parts => tr!("Search parts"),
+            LibraryTab::Looks => tr!("Search looks"),
+        };
+        let mut is_beside = false;
+        ui.horizontal_wrapped(|ui| {
             ui.selectable_value(&mut self.tab, LibraryTab::Nodes, tr!("Nodes"))
                 .on_hover_text(tr!("What looks are made of"));
             ui.selectable_value(&mut self.tab, LibraryTab::Parts, tr!("Parts"))
                 .on_hover_text(tr!("Layers, groups, lights, profiles and ramps that were saved"));
             ui.selectable_value(&mut self.tab, LibraryTab::Looks, tr!("Looks"))
                 .on_hover_text(tr!("Finished looks to begin with"));
-            let what = match self.tab {
-                LibraryTab::Nodes => tr!("Search nodes"),
-                LibraryTab::Parts => tr!("Search parts"),
-                LibraryTab::Looks => tr!("Search looks"),
-            };
-            let edit =
-                TextEdit::singleline(&mut self.query).hint_text(what).desired_width(f32::INFINITY);
-            let response = ui.add(edit);
-            response.widget_info(|| WidgetInfo::labeled(Role::SearchInput, true, what));
+            is_beside = ui.available_size_before_wrap().x >= SEARCH;
+            if is_beside {
+                search(ui, &mut self.query, what);
+            }
         });
+        if !is_beside {
+            search(ui, &mut self.query, what);
+        }
         ui.add_space(2.0);
     }
 

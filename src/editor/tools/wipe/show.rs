@@ -1,11 +1,12 @@
 //! Controls of the comparison, and its display over the picture.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{Color32, Key, Rect, RichText, Role, Ui, WidgetInfo};
 
 use super::divider::{self, Corner};
 use super::{ComparisonMode, ComparisonView, GAINS, Wipe};
+use crate::accuracy::ErrorFigures;
 use crate::commands::{Command, PanelId, ViewCommand, keyboard};
 use crate::state::comparison::ComparedPicture;
 use crate::state::problem_text::sentence;
@@ -140,6 +141,29 @@ fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool
     false
 }
 
+/// A share or a difference in percent, with a decimal where that tells it from nothing.
+fn percent(part: f64) -> String {
+    let decimals = usize::from(part < 0.0095);
+    format!("{:.decimals$}", part * 100.0)
+}
+
+/// Words for how much of the picture differs, and how much at most.
+fn told(figures: &ErrorFigures) -> String {
+    let count = figures.visible;
+    let share = percent(count as f64 / figures.pixels.max(1) as f64);
+    let most = percent(figures.max);
+    match count {
+        0 if figures.max == 0.0 => tr!("no difference").to_owned(),
+        0 => tr!("no visible difference").to_owned(),
+        _ if share == "0.0" => trn!(
+            count,
+            "{count} pixel differs, by up to {most} %",
+            "{count} pixels differ, by up to {most} %"
+        ),
+        _ => tr!("{share} % of the pixels differ, by up to {most} %"),
+    }
+}
+
 impl Wipe {
     /// Shows a second row of controls while the picture is compared.
     pub(crate) fn bar(&mut self, ui: &mut Ui, session: &Session) {
@@ -233,21 +257,19 @@ impl Wipe {
     fn state(&mut self, ui: &mut Ui, session: &Session, against: &ComparedPicture) {
         if let Some(shown) = self.current() {
             let figures = &shown.compared.figures;
-            let text = match figures.max {
-                0.0 => tr!("no difference").to_owned(),
-                max => tr!("max {max:.1e} · {count} px over 1/255", count = figures.visible),
-            };
             // Between two states of a look a difference is what was asked for, and no warning.
             let is_error = matches!(against, ComparedPicture::Truth | ComparedPicture::Tier(_));
             let is_warning = is_error && figures.visible > 0;
             let ink = if is_warning { theme::of(ui).warning } else { theme::of(ui).dim };
+            let text = told(figures);
             let [x, y] = figures.worst;
             let help = tr!(
                 "Largest difference of a channel {max:.3e} at pixel {x}, {y}; rms {rms:.1e}; \
-                 {pixels} pixels compared, and {edges} on edges told apart, where coverage may \
-                 differ",
+                 {visible} of {pixels} pixels differ by more than 1/255; {edges} on edges are told \
+                 apart, where coverage may differ",
                 max = figures.max,
                 rms = figures.rms,
+                visible = figures.visible,
                 pixels = figures.pixels,
                 edges = figures.edges
             );
@@ -306,7 +328,8 @@ impl Wipe {
         if let Some((_, texture)) = &shown.magnified {
             ui.painter().image(texture.id(), rect, whole(), Color32::WHITE);
         }
-        let text = tr!("Difference ×{gain}, largest {max:.1e}", max = shown.compared.figures.max);
+        let most = percent(shown.compared.figures.max);
+        let text = tr!("Difference ×{gain}, up to {most} %");
         divider::tag(ui, rect, Corner::Left, &text);
     }
 
@@ -373,4 +396,22 @@ fn magnified(shown: &ComparisonView, gain: u32) -> egui::ColorImage {
         Color32::from_rgb(r, g, b)
     });
     egui::ColorImage::new(shown.moment.size.map(|side| side as usize), pixels.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_difference_is_told_in_shares_of_the_picture() {
+        let of = |max: f64, visible| {
+            let pixels = 100_000;
+            told(&ErrorFigures { max, visible, pixels, ..ErrorFigures::default() })
+        };
+        assert_eq!(of(0.0, 0), "no difference");
+        assert_eq!(of(0.001, 0), "no visible difference");
+        assert_eq!(of(0.77, 33_172), "33 % of the pixels differ, by up to 77 %");
+        assert_eq!(of(0.008, 600), "0.6 % of the pixels differ, by up to 0.8 %");
+        assert_eq!(of(0.02, 1), "1 pixel differs, by up to 2 %");
+    }
 }

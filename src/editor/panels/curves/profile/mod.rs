@@ -25,6 +25,7 @@ use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::keying::KeyedBy;
 use crate::state::session::Session;
 use crate::values;
+use crate::widgets::rows::together;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 use sample::{Bend, Sampler, Shape};
@@ -391,29 +392,31 @@ fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
         }
         for (index, (part, radians)) in ANGLES.iter().zip([offset, falloff, cutoff]).enumerate() {
             let color = plot::color_of(ui, index);
-            let help = part.help.tr();
-            let label =
-                ui.label(RichText::new(part.label.tr()).color(color)).on_hover_text(help).id;
-            if layer.wired[index] {
-                ui.label(RichText::new(tr!("by wire")).color(theme::of(ui).dim));
-                continue;
-            }
-            let mut degrees = radians.to_degrees();
-            let drag = DragValue::new(&mut degrees)
-                .range(0.0..=180.0)
-                .clamp_existing_to_range(false)
-                .speed(0.5)
-                .max_decimals(1)
-                .suffix("°");
-            let response = ui.add(drag).labelled_by(label).on_hover_text(help);
-            if response.changed() && degrees.is_finite() {
-                let edit = layer
-                    .session
-                    .keys()
-                    .set_at(&layer.target(part.port), Value::Number(degrees.to_radians()));
-                out.push(Command::EditHeld(response.id, edit));
-            }
-            mark(ui, layer, part);
+            together(ui, part.port, |ui| {
+                let help = part.help.tr();
+                let label =
+                    ui.label(RichText::new(part.label.tr()).color(color)).on_hover_text(help).id;
+                if layer.wired[index] {
+                    ui.label(RichText::new(tr!("by wire")).color(theme::of(ui).dim));
+                    return;
+                }
+                let mut degrees = radians.to_degrees();
+                let drag = DragValue::new(&mut degrees)
+                    .range(0.0..=180.0)
+                    .clamp_existing_to_range(false)
+                    .speed(0.5)
+                    .max_decimals(1)
+                    .suffix("°");
+                let response = ui.add(drag).labelled_by(label).on_hover_text(help);
+                if response.changed() && degrees.is_finite() {
+                    let edit = layer
+                        .session
+                        .keys()
+                        .set_at(&layer.target(part.port), Value::Number(degrees.to_radians()));
+                    out.push(Command::EditHeld(response.id, edit));
+                }
+                mark(ui, layer, part);
+            });
         }
     });
 }
