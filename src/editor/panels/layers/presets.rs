@@ -59,7 +59,7 @@ pub(crate) struct LayerPreset {
 use PresetValue::{Bands, Number, Word};
 
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
-pub(super) static PRESETS: [LayerPreset; 13] = [
+pub(super) static PRESETS: [LayerPreset; 14] = [
     LayerPreset {
         name: text!("layer" => "Fill"),
         help: text!(
