@@ -54,8 +54,8 @@ impl App {
                 }
             }
             SceneCommand::KeepView => {
-                let edit = self.session.view.as_scene_edit();
-                self.tell(|session| session.apply_to_scene(edit, None));
+                let aspect = self.bench.viewport.aspect();
+                self.tell(|session| session.keep_view(aspect));
             }
             SceneCommand::Save => self.save_scene(),
             SceneCommand::SaveAs => {
