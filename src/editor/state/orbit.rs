@@ -580,8 +580,16 @@ mod tests {
             orbit.fit_into(1.2);
             let moved = orbit.camera_with(&before, 1.2);
             assert!((moved.height - before.height).abs() < 1e-9);
-            assert_eq!(Camera { eye: before.eye, target: before.target, up: before.up,
-                height: before.height, ..moved }, before);
+            assert_eq!(
+                Camera {
+                    eye: before.eye,
+                    target: before.target,
+                    up: before.up,
+                    height: before.height,
+                    ..moved
+                },
+                before
+            );
             orbit.orbit(0.3, 0.0);
             let turned = orbit.camera_with(&before, 1.2);
             assert!(turned.eye != before.eye);
