@@ -7,6 +7,7 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::PendingAction;
+use crate::app::look_export::stem_of;
 use crate::commands::{Command, FilePurpose, PanelId, SceneCommand, ShotCommand};
 use crate::document::SceneEdit;
 use crate::examples;
@@ -154,7 +155,11 @@ impl App {
     /// Path that a dialog for a file of the scene begins near.
     fn near_scene(&self) -> Option<PathBuf> {
         if let Some(shot) = self.session.shot() {
-            return Some(shot.path().to_path_buf());
+            let name = stem_of(&shot.shot().name);
+            return Some(match shot.has_file() || shot.shot().name.is_empty() {
+                true => shot.path().to_path_buf(),
+                false => shot.path().with_file_name(format!("{name}.json")),
+            });
         }
         let own = self.session.open_scene().and_then(OpenScene::path);
         own.map(Path::to_path_buf)
