@@ -153,7 +153,7 @@ impl App {
     }
 
     /// Path that a dialog for a file of the scene begins near.
-    fn near_scene(&self) -> Option<PathBuf> {
+    pub(super) fn near_scene(&self) -> Option<PathBuf> {
         if let Some(shot) = self.session.shot() {
             let name = stem_of(&shot.shot().name);
             return Some(match shot.has_file() || shot.shot().name.is_empty() {
@@ -315,7 +315,7 @@ impl App {
             let path = shot.path().to_path_buf();
             return match shot.has_file() {
                 true => self.save_scene_and_go_on(&path),
-                false => self.dialogs.ask(FilePurpose::SaveShot, Some(&path)),
+                false => self.dialogs.ask(FilePurpose::SaveShot, self.near_scene().as_deref()),
             };
         }
         match self.session.open_scene().map(|open_scene| open_scene.path().map(Path::to_path_buf)) {
@@ -328,6 +328,10 @@ impl App {
     fn save_scene_and_go_on(&mut self, path: &Path) {
         if self.save_scene_as(path) {
             self.go_on_if_safe();
+        } else {
+            let is_shot = self.session.shot().is_some();
+            let purpose = if is_shot { FilePurpose::SaveShot } else { FilePurpose::SaveScene };
+            self.ask_again(purpose, path);
         }
     }
 
