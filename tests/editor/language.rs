@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 use std::env;
 use std::process::Command;
 
-use chiaro_locale::Language;
 use chiaro::editor::Settings;
+use chiaro_locale::Language;
 use eframe::egui::epaint::ClippedShape;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;

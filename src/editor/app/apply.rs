@@ -115,6 +115,8 @@ impl App {
             Command::SaveTo(path) => {
                 if self.save_as(&path) {
                     self.go_on_if_safe();
+                } else {
+                    self.ask_again(FilePurpose::Save, &path);
                 }
             }
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
@@ -359,8 +361,8 @@ impl App {
     }
 
     fn ask_where_to_save(&mut self) {
-        if let Some(path) = self.session.shot().map(|shot| shot.path().to_path_buf()) {
-            return self.dialogs.ask(FilePurpose::SaveShot, Some(&path));
+        if self.session.shot().is_some() {
+            return self.dialogs.ask(FilePurpose::SaveShot, self.near_scene().as_deref());
         }
         let by_name = || PathBuf::from(format!("{}.json", stem_of(&self.session.look().name)));
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);

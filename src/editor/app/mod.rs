@@ -607,7 +607,9 @@ impl App {
 
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = keyboard::is_keyboard_taken(ui.ctx());
-        // A text field with the keyboard has an undo of its own, and takes question marks.
+        // A text field with the keyboard has an undo of its own, and takes question marks; a handle
+        // that was dragged has not.
+        let is_text_edited = is_typing && ui.ctx().text_edit_focused();
         let is_text = |command: &Command| {
             matches!(command, Command::Undo | Command::Redo | Command::OpenShortcuts)
         };
@@ -622,7 +624,7 @@ impl App {
             if keyboard::is_dialog_open(ui.ctx())
                 || row.place == KeyScope::Picture
                     && (is_typing || self.start.is_some() || self.bench.painting.has_pointer())
-                || is_typing && is_text(&row.command)
+                || is_text_edited && is_text(&row.command)
             {
                 continue;
             }

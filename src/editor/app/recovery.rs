@@ -21,6 +21,7 @@ impl App {
         let painting = self.painting_number();
         self.message = self.recover(command);
         self.open_lacking_look();
+        self.play_frames_of_shot();
         self.show_painting_taken_back(painting);
     }
 

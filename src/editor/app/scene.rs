@@ -7,6 +7,7 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::PendingAction;
+use crate::app::look_export::stem_of;
 use crate::commands::{Command, FilePurpose, PanelId, SceneCommand, ShotCommand};
 use crate::document::SceneEdit;
 use crate::examples;
@@ -54,8 +55,8 @@ impl App {
                 }
             }
             SceneCommand::KeepView => {
-                let edit = self.session.view.as_scene_edit();
-                self.tell(|session| session.apply_to_scene(edit, None));
+                let aspect = self.bench.viewport.aspect();
+                self.tell(|session| session.keep_view(aspect));
             }
             SceneCommand::Save => self.save_scene(),
             SceneCommand::SaveAs => {
@@ -152,9 +153,13 @@ impl App {
     }
 
     /// Path that a dialog for a file of the scene begins near.
-    fn near_scene(&self) -> Option<PathBuf> {
+    pub(super) fn near_scene(&self) -> Option<PathBuf> {
         if let Some(shot) = self.session.shot() {
-            return Some(shot.path().to_path_buf());
+            let name = stem_of(&shot.shot().name);
+            return Some(match shot.has_file() || shot.shot().name.is_empty() {
+                true => shot.path().to_path_buf(),
+                false => shot.path().with_file_name(format!("{name}.json")),
+            });
         }
         let own = self.session.open_scene().and_then(OpenScene::path);
         own.map(Path::to_path_buf)
@@ -310,7 +315,7 @@ impl App {
             let path = shot.path().to_path_buf();
             return match shot.has_file() {
                 true => self.save_scene_and_go_on(&path),
-                false => self.dialogs.ask(FilePurpose::SaveShot, Some(&path)),
+                false => self.dialogs.ask(FilePurpose::SaveShot, self.near_scene().as_deref()),
             };
         }
         match self.session.open_scene().map(|open_scene| open_scene.path().map(Path::to_path_buf)) {
@@ -323,6 +328,10 @@ impl App {
     fn save_scene_and_go_on(&mut self, path: &Path) {
         if self.save_scene_as(path) {
             self.go_on_if_safe();
+        } else {
+            let is_shot = self.session.shot().is_some();
+            let purpose = if is_shot { FilePurpose::SaveShot } else { FilePurpose::SaveScene };
+            self.ask_again(purpose, path);
         }
     }
 

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use chiaro_locale::tr;
 use eframe::egui;
-use eframe::egui::{Button, Popup, Rect, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
+use eframe::egui::{Button, Color32, Popup, Rect, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::commands::{Command, SceneCommand, ShotCommand};
 use crate::document::Target;
-use crate::fields::scene_names;
+use crate::fields::{mark, scene_names};
 use crate::frame::{ResolvedShot, ValueChange};
 use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
@@ -275,6 +275,11 @@ pub(crate) fn mark(
     let name = tr!("Changed by the shot: {label}");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     bar(ui, rect);
+    if first.change.is_keyed {
+        let ink = theme::of(ui).accent;
+        let fill = if is_key_here(session, first.change) { ink } else { Color32::TRANSPARENT };
+        mark::diamond(ui, rect.center(), 4.5, fill, ink);
+    }
     let all: Vec<ChangedValue<'_>> = targets
         .iter()
         .filter_map(|target| ChangedValue::of(session, Owner::Scene, target))
@@ -290,7 +295,17 @@ pub(crate) fn mark(
     response.on_hover_text(first.help());
 }
 
-/// Room for the mark of values that the shot does not change, with a menu to key them.
+/// True if the shot's own keys of a value have one at the playhead.
+fn is_key_here(session: &Session, change: &ValueChange) -> bool {
+    let shot = session.shot();
+    let own = shot.and_then(|shot| Some((shot.own(&ShotAddress::of(change))?, shot.rate())));
+    own.is_some_and(|(own, rate)| {
+        let now = rate.frame_within(session.view.time);
+        own.keys.iter().any(|key| (key.frame - now).abs() < 1e-3)
+    })
+}
+
+/// Mark of values that the shot does not change, with a menu to key them.
 fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut Vec<Command>) {
     let address = |target: &String| ShotAddress { look: None, target: target.clone() };
     let addresses: Vec<ShotAddress> = targets.iter().map(address).collect();
@@ -298,9 +313,13 @@ fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut
         ui.allocate_exact_size(size, Sense::hover());
         return;
     }
-    let (_, response) = ui.allocate_exact_size(size, Sense::click());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let name = tr!("Keys of the shot: {label}");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    let colors = theme::of(ui);
+    let is_at = response.hovered() || response.has_focus();
+    let edge = if is_at { colors.text } else { colors.dim.gamma_multiply(0.7) };
+    mark::diamond(ui, rect.center(), 4.5, Color32::TRANSPARENT, edge);
     Popup::menu(&response).show(|ui| {
         for at in &addresses {
             let text = match addresses.len() {

@@ -18,6 +18,9 @@ const FRAMED: f64 = 0.86;
 /// Least radius at which a scene can be made out, in parts of the picture's height.
 const LEAST_SEEN: f64 = 0.04;
 
+/// Greatest difference of two fields of view that are one lens, in radians.
+const SAME_LENS: f64 = 1e-3;
+
 /// A camera on a sphere around a target, the illumination frame, and the mesh that the look is
 /// judged on.
 #[derive(Clone, Debug, PartialEq)]
@@ -183,6 +186,30 @@ impl Orbit {
             height: self.height(),
             aspect: self.placed_for,
         }
+    }
+
+    /// The camera of this view with the lens of `before`, where the view has that lens, as it is
+    /// shown in a picture of such an aspect, width over height.
+    pub(crate) fn camera_with(&self, before: &Camera, aspect: f64) -> Camera {
+        let mut camera = self.camera();
+        if camera.projection != before.projection {
+            return camera;
+        }
+        let mut shown = self.clone();
+        shown.look_from(before);
+        shown.fit_into(aspect);
+        match camera.projection {
+            Projection::Perspective if (shown.fov - self.fov).abs() < SAME_LENS => {
+                (camera.fov, camera.aspect) = (before.fov, before.aspect);
+                camera.height = before.height;
+            }
+            Projection::Perspective => camera.height = before.height,
+            Projection::Orthographic => {
+                camera.height /= before.widening(aspect);
+                (camera.fov, camera.aspect) = (before.fov, before.aspect);
+            }
+        }
+        camera
     }
 
     /// Widens a view that was placed for a wider picture than `aspect`, width over height, so that
@@ -542,5 +569,38 @@ mod tests {
         let forward = orbit.direction();
         assert!(right.dot(up).abs() < 1e-12 && right.dot(forward).abs() < 1e-12);
         assert!((right.cross(up) - forward).length() < 1e-12 && up.y > 0.0);
+    }
+
+    #[test]
+    fn a_view_that_moved_keeps_the_lens_and_one_that_was_changed_does_not() {
+        for projection in [Projection::Perspective, Projection::Orthographic] {
+            let before = Camera { projection, aspect: 1.78, fov: 0.5, ..Camera::default() };
+            let mut orbit = Orbit::default();
+            orbit.look_from(&before);
+            orbit.fit_into(1.2);
+            let moved = orbit.camera_with(&before, 1.2);
+            assert!((moved.height - before.height).abs() < 1e-9);
+            assert_eq!(
+                Camera {
+                    eye: before.eye,
+                    target: before.target,
+                    up: before.up,
+                    height: before.height,
+                    ..moved
+                },
+                before
+            );
+            orbit.orbit(0.3, 0.0);
+            let turned = orbit.camera_with(&before, 1.2);
+            assert!(turned.eye != before.eye);
+            assert_eq!((turned.fov, turned.aspect), (0.5, 1.78));
+        }
+        let before = Camera { fov: 0.5, aspect: 1.78, ..Camera::default() };
+        let mut orbit = Orbit::default();
+        orbit.look_from(&before);
+        orbit.fit_into(1.2);
+        orbit.fov = 0.3;
+        let changed = orbit.camera_with(&before, 1.2);
+        assert_eq!((changed.fov, changed.aspect), (0.3, 0.0));
     }
 }

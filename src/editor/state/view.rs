@@ -101,9 +101,11 @@ impl ViewState {
         is_cropped
     }
 
-    /// The edit that sets the scene's camera, lights and backdrop to the present view.
-    pub(crate) fn as_scene_edit(&self) -> SceneEdit {
-        let camera = SceneEdit::SetCamera { camera: self.orbit.camera() };
+    /// The edit that sets the scene's camera, lights and backdrop to the present view, in a picture
+    /// of such an aspect, width over height. The lens of the camera `before` stays where nobody
+    /// changed it.
+    pub(crate) fn as_scene_edit(&self, before: &Camera, aspect: f64) -> SceneEdit {
+        let camera = SceneEdit::SetCamera { camera: self.orbit.camera_with(before, aspect) };
         let mut edits = vec![
             camera,
             SceneEdit::SetIllumination { rotation: self.orbit.illumination.to_array() },

@@ -31,14 +31,15 @@ fn a_shot_is_rendered_and_sent_to_a_farm() {
     artist.bring(Role::Button, "Copy the command that renders");
     artist.press_a(Role::Button, "Copy the command that renders");
     let copied = artist.take_copied().unwrap();
-    let told = "chiaro render sh010.json -o 'out/####.exr' --frames 1-3 --size 64x36 --aov lights";
+    let told =
+        "chiaro render sh010.json -o 'out/sh010/####.exr' --frames 1-3 --size 64x36 --aov lights";
     assert!(copied.ends_with(told), "{copied}");
     artist.bring(Role::Button, "Render 3 frames");
     artist.press("Render 3 frames");
     assert!(artist.has("Frames: 3 of 3 are whole"), "{:?}", artist.app().message());
     assert!(artist.app().message().unwrap().starts_with("3 frames are whole"));
-    let first = std::fs::read(studio.path("out/0001.exr")).unwrap();
-    studio.chiaro(&["verify", "out/####.exr", "--frames", "1-3"]);
+    let first = std::fs::read(studio.path("out/sh010/0001.exr")).unwrap();
+    studio.chiaro(&["verify", "out/sh010/####.exr", "--frames", "1-3"]);
 
     // The job is written by the same choices, and says how it is submitted.
     artist.bring(Role::Button, "Write sh010.sh");
@@ -47,12 +48,28 @@ fn a_shot_is_rendered_and_sent_to_a_farm() {
     assert!(job.contains("--aov=lights") && job.contains("sbatch"), "{job}");
     assert!(artist.says("sh sh010.sh"), "the command that submits it");
 
+    // A job of other choices takes the place of what this window wrote, and of no other file.
+    let farm = artist.fields_called("Frames a task")[0];
+    artist.type_over(farm, "1");
+    artist.bring(Role::Button, "Write sh010.sh");
+    artist.press_a(Role::Button, "Write sh010.sh");
+    let parted = studio.read("sh010.sh");
+    assert!(parted != job && parted.contains("1-1 2-2 3-3"), "{parted}");
+    std::fs::write(studio.path("sh010.sh"), "mine").unwrap();
+    artist.bring(Role::Button, "Write sh010.sh");
+    artist.press_a(Role::Button, "Write sh010.sh");
+    assert_eq!(studio.read("sh010.sh"), "mine");
+    artist.bring(Role::Button, "Replace sh010.sh");
+    artist.press_a(Role::Button, "Replace sh010.sh");
+    assert_eq!(studio.read("sh010.sh"), parted);
+    assert!(!studio.path("sh010.sh.before").exists());
+
     // What is whole is kept by a terminal, too: the frames are equal.
     let again = studio.chiaro(&[
         "render",
         "sh010.json",
         "-o",
-        "out/####.exr",
+        "out/sh010/####.exr",
         "--frames",
         "1-3",
         "--size",
@@ -62,5 +79,5 @@ fn a_shot_is_rendered_and_sent_to_a_farm() {
         "--json",
     ]);
     assert_eq!(again.matches("\"kept\"").count(), 3, "{again}");
-    assert_eq!(std::fs::read(studio.path("out/0001.exr")).unwrap(), first);
+    assert_eq!(std::fs::read(studio.path("out/sh010/0001.exr")).unwrap(), first);
 }

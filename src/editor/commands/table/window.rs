@@ -121,6 +121,10 @@ fn films_and_scales() -> Vec<CommandRow> {
     vec![
         row(C::ExportPicture, text!("Export the picture as PNG..."), &[], Window)
             .in_menu(Menu::Export),
+        row(C::Scene(SceneCommand::KeepView), text!("Keep this view"), &[], Window).help(text!(
+            "The camera, the turn of the lights and the backdrop of the picture become the \
+             scene's, or the shot's"
+        )),
         row(C::ShowPanel(PanelId::FRAMES), text!("Render frames..."), &[], Window)
             .help(text!(
                 "Frames of the shot, the scene or the look as files, with layers and mattes"

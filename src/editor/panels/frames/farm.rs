@@ -66,8 +66,16 @@ impl FrameRenders {
         if let Ok(line) = &line {
             command_text(ui, line, tr!("Copy the command that writes the job"), out);
         }
-        if let Some(job) = &self.job {
-            written(ui, job, out);
+        let is_shown = |job: &&JobRun| job.end.is_none() || job.document == document.path;
+        let Some(job) = self.job.as_ref().filter(is_shown) else { return };
+        written(ui, job, out);
+        if job.end == Some(RunEnd::Failed) && job.file.is_file() {
+            let file = job.file.file_name().unwrap_or_default().to_string_lossy();
+            let help = tr!("The file that is there gives way to the new job");
+            if ui.button(tr!("Replace {file}")).on_hover_text(help).clicked() {
+                self.replaces_job = true;
+                out.push(Command::Film(FilmCommand::WriteJob));
+            }
         }
     }
 }

@@ -7,6 +7,8 @@ mod farm;
 mod outputs;
 mod progress;
 
+use std::collections::HashMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -46,6 +48,8 @@ struct FrameRun {
     end: Option<RunEnd>,
     /// Seconds until the end.
     seconds: f64,
+    /// Document that is rendered.
+    document: PathBuf,
     /// Folder of the frames, and the file of the first one.
     folder: PathBuf,
     first: PathBuf,
@@ -57,9 +61,28 @@ struct JobRun {
     line: CommandLine,
     messages: Vec<String>,
     end: Option<RunEnd>,
+    /// Document that is sent.
+    document: PathBuf,
     /// The file of the job, and the word of the farm.
     file: PathBuf,
     farm: &'static str,
+    /// Earlier job of that file, put aside until the new one is whole.
+    earlier: Option<PathBuf>,
+}
+
+impl JobRun {
+    /// Drops the earlier job where the new one is whole, and otherwise brings it back.
+    fn settle_earlier(&mut self) {
+        let Some(earlier) = self.earlier.take() else { return };
+        let is_settled = match self.end {
+            Some(RunEnd::Done) => fs::remove_file(&earlier),
+            _ => fs::rename(&earlier, &self.file),
+        };
+        if let Err(error) = is_settled {
+            let earlier = earlier.display();
+            self.messages.push(tr!("warning: the earlier job is {earlier}: {error}"));
+        }
+    }
 }
 
 /// The panel.
@@ -70,12 +93,18 @@ pub(crate) struct FrameRenders {
     farm: FarmChoices,
     /// Document that the choices are of.
     of: Option<PathBuf>,
+    /// Choices of other documents.
+    others: HashMap<PathBuf, FrameChoices>,
+    /// Jobs that this window wrote, as they were then.
+    written: HashMap<PathBuf, Vec<u8>>,
     frames: Option<FrameRun>,
     job: Option<JobRun>,
     /// Reason why nothing was started.
     problem: Option<String>,
     /// True if the choices of a farm are to be brought into view.
     shows_farm: bool,
+    /// True if the next job replaces a file that this window did not write.
+    replaces_job: bool,
 }
 
 impl BackgroundJobs for FrameRenders {
@@ -97,10 +126,13 @@ impl FrameRenders {
             outputs: OutputMenu::default(),
             farm: FarmChoices::default(),
             of: None,
+            others: HashMap::new(),
+            written: HashMap::new(),
             frames: None,
             job: None,
             problem: None,
             shows_farm: false,
+            replaces_job: false,
         }
     }
 
@@ -157,6 +189,7 @@ impl FrameRenders {
             clock: Clock::start(),
             end: None,
             seconds: 0.0,
+            document: document.path,
             first: first.unwrap_or_else(|| folder.clone()),
             folder,
         });
@@ -167,6 +200,12 @@ impl FrameRenders {
         let document = document_of(context.session)?;
         let line = self.choices.job(&document, view_of(context), &self.farm)?;
         self.make_folder(&document)?;
+        let file = document.folder().join(self.farm.job(&document.stem()));
+        let is_ours = self.written.get(&file).is_some_and(|own| is_text_of(&file, own));
+        let earlier = match is_ours || std::mem::take(&mut self.replaces_job) {
+            true => put_aside(&file)?,
+            false => None,
+        };
         let wake = self.wake.clone();
         let run = ProgramRun::start(program, &line, move || wake())?;
         self.job = Some(JobRun {
@@ -174,8 +213,10 @@ impl FrameRenders {
             line,
             messages: Vec::new(),
             end: None,
-            file: document.folder().join(self.farm.job(&document.stem())),
+            document: document.path,
+            file,
             farm: self.farm.to,
+            earlier,
         });
         Ok(())
     }
@@ -205,6 +246,14 @@ impl FrameRenders {
             };
             job.messages.extend(job.run.lines().into_iter().map(text));
             job.end = job.run.end();
+            if job.end.is_some() {
+                job.settle_earlier();
+            }
+            if job.end == Some(RunEnd::Done)
+                && let Ok(text) = fs::read(&job.file)
+            {
+                self.written.insert(job.file.clone(), text);
+            }
             let file = job.file.display();
             out.extend(job.end.map(|end| match end {
                 RunEnd::Done => Command::Tell(tr!("The job is {file}")),
@@ -230,9 +279,10 @@ impl FrameRenders {
             }
         };
         if self.of.as_ref() != Some(&document.path) {
-            // Another document has frames of its own; folder, layers and farm stay.
-            self.of = Some(document.path.clone());
-            (self.choices.frames, self.choices.size) = (None, None);
+            let own = self.others.remove(&document.path);
+            let own = own.unwrap_or_else(|| FrameChoices::of(&document, &self.choices));
+            let before = std::mem::replace(&mut self.choices, own);
+            self.others.extend(self.of.replace(document.path.clone()).map(|of| (of, before)));
         }
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("frames").show(ui, |ui| {
             ui.set_max_width(ui.available_width() - 8.0);
@@ -242,7 +292,10 @@ impl FrameRenders {
             if let Some(problem) = &self.problem {
                 ui.label(RichText::new(problem).color(theme::of(ui).error));
             }
-            if let Some(frames) = &self.frames {
+            // What is done for another document is shown until its end.
+            let is_shown =
+                |frames: &&FrameRun| frames.end.is_none() || frames.document == document.path;
+            if let Some(frames) = self.frames.as_ref().filter(is_shown) {
                 progress::show(ui, frames, session, &mut out);
             }
             ui.add_space(4.0);
@@ -310,6 +363,24 @@ impl FrameRun {
                 None => tr!("Rendering failed: the panel Render tells why").to_owned(),
             },
         }
+    }
+}
+
+/// True if a file holds just this text.
+fn is_text_of(file: &Path, text: &[u8]) -> bool {
+    fs::read(file).is_ok_and(|found| found == text)
+}
+
+/// Puts a file aside, for another one in its place; `None` where there is none.
+///
+/// # Errors
+/// The reason why it cannot be moved, as a sentence.
+fn put_aside(file: &Path) -> Result<Option<PathBuf>, String> {
+    let aside = file.with_added_extension("before");
+    match fs::rename(file, &aside) {
+        Ok(()) => Ok(Some(aside)),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(tr!("{file} cannot be replaced: {error}", file = file.display())),
     }
 }
 

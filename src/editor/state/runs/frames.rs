@@ -152,6 +152,18 @@ impl FarmChoices {
 }
 
 impl FrameChoices {
+    /// Choices of a document that has none yet: as those of another one, but for what is of the
+    /// document. Its frames have a folder of their own, so that no other's are written over.
+    pub(crate) fn of(document: &FilmDocument, other: &Self) -> Self {
+        Self {
+            frames: None,
+            size: None,
+            outputs: Vec::new(),
+            folder: format!("out/{}", document.stem()),
+            ..other.clone()
+        }
+    }
+
     /// Makes an output of a node a layer, under a name of its own.
     pub(crate) fn pick(&mut self, output: &str) {
         if self.outputs.iter().any(|picked| picked.output == output) {
@@ -394,6 +406,16 @@ mod tests {
         let told = choices.render(&shot(), Some(&view)).unwrap().text();
         assert!(told.ends_with("--ocio studio --display sRGB --view 'ACES 2.0'"), "{told}");
         assert!(!told.contains("--aov") && !told.contains("--matte"), "{told}");
+    }
+
+    #[test]
+    fn a_document_keeps_its_frames_apart() {
+        let mut choices = FrameChoices { frames: Some([1, 24]), ..FrameChoices::default() };
+        choices.mattes.insert("looks");
+        choices.pick("outline.line");
+        let own = FrameChoices::of(&shot(), &choices);
+        let told = own.render(&shot(), None).unwrap().text();
+        assert_eq!(told, "chiaro render sh010.json -o 'out/sh010/####.exr' --matte looks");
     }
 
     #[test]

@@ -82,8 +82,11 @@ impl FrameProgress {
         if self.failed().next().is_some() {
             return;
         }
-        let is_error = |text: &&String| text.starts_with("error");
-        let reason = self.messages.iter().rfind(is_error).or(self.messages.last());
+        // What is wrong stands behind the place, and what to do about it in a line of its own.
+        let is_error = |text: &&String| text.starts_with("error") || text.contains(": error[");
+        let is_reason = |text: &&String| !text.trim_start().starts_with("help:");
+        let reason = self.messages.iter().rfind(is_error);
+        let reason = reason.or_else(|| self.messages.iter().rfind(is_reason));
         let Some(reason) = reason.cloned() else { return };
         let names = |(frame, file): &&(i32, String)| {
             !self.fates.contains_key(frame) && reason.contains(file.as_str())

@@ -199,6 +199,19 @@ impl Session {
         Ok(())
     }
 
+    /// Makes the present view the scene's, in a picture of such an aspect, width over height; of a
+    /// shot, its own, and the picture follows the shot's camera again.
+    ///
+    /// # Errors
+    /// No scene is open.
+    pub(crate) fn keep_view(&mut self, aspect: f64) -> Result<(), Box<Diagnostic>> {
+        let before = self.open_scene().map(|open_scene| open_scene.scene().camera);
+        let edit = self.view.as_scene_edit(&before.unwrap_or_default(), aspect);
+        self.apply_to_scene(edit, None)?;
+        self.show_shot_at_time(true);
+        Ok(())
+    }
+
     /// Saves the scene to a file, which is its own from then on.
     ///
     /// # Errors

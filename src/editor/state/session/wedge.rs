@@ -35,6 +35,10 @@ impl Session {
     /// # Errors
     /// A name that the open documents do not have; nothing is changed then.
     pub(crate) fn take_cell(&mut self, cell: &WedgeCell) -> Result<(), Box<Diagnostic>> {
+        // What keys move takes the value at the frame that the cell shows.
+        if let Some((frame, shot)) = cell.frame.zip(self.shot()) {
+            self.set_time(shot.rate().time(frame));
+        }
         let mut places = CellPlaces::default();
         for (name, value) in &cell.values {
             self.place_value(name, value, &mut places)?;

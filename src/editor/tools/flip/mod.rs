@@ -12,7 +12,7 @@ mod show;
 mod version;
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use chiaro_locale::tr;
 use eframe::egui::TextureHandle;
@@ -22,7 +22,7 @@ use super::playback::{Demands, FrameForm, Playback, bytes_of};
 use super::{PictureContext, SwitchPlace, ToolRow};
 use crate::render::Gpu;
 use crate::state::display::PictureDisplay;
-use crate::state::revision::RequestNumber;
+use crate::state::revision::{DocumentNumber, RequestNumber};
 use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use difference::{DeltaKind, FrameDelta};
@@ -69,10 +69,29 @@ struct FlipPicture<K> {
     texture: TextureHandle,
 }
 
+/// Document whose frames are compared, the outermost one: looks of a scene come and go.
+#[derive(PartialEq)]
+enum FlipSubject {
+    File(Option<PathBuf>),
+    Look(DocumentNumber),
+}
+
+impl FlipSubject {
+    fn of(session: &Session) -> Self {
+        match (session.shot(), session.open_scene()) {
+            (Some(shot), _) => Self::File(Some(shot.path().to_path_buf())),
+            (None, Some(open_scene)) => Self::File(open_scene.path().map(Path::to_path_buf)),
+            (None, None) => Self::Look(session.revisions().document),
+        }
+    }
+}
+
 /// Flip book against another version.
 pub(crate) struct FlipBook {
     worker: Worker<FlipRequest, FlipAnswer>,
     version: Option<OtherVersion>,
+    /// What is compared with it.
+    subject: Option<FlipSubject>,
     /// Number of the version: an answer about another one does not count.
     number: RequestNumber,
     /// Files to be opened.
@@ -105,6 +124,7 @@ impl FlipBook {
         Self {
             worker: Worker::waiting("flip book", wake, run),
             version: None,
+            subject: None,
             number: RequestNumber::default(),
             opens: None,
             view: FlipView::Flicker,
@@ -228,6 +248,14 @@ impl FlipBook {
     ) -> Demands {
         for answer in self.worker.answers() {
             self.take(answer, playback, size);
+        }
+        let subject = Some(FlipSubject::of(session));
+        if self.subject != subject {
+            let was_open = self.subject.is_some() && self.version.is_some();
+            self.subject = subject;
+            if was_open {
+                self.close(playback);
+            }
         }
         if let Some(path) = self.opens.take_if(|_| !self.worker.owes()) {
             self.worker.request(|_| FlipRequest::Open(path));

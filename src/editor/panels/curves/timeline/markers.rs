@@ -163,13 +163,18 @@ pub(super) fn times(session: &Session) -> impl Iterator<Item = f64> {
 pub(super) fn add(session: &Session, time: f64, out: &mut Vec<Command>) {
     let owner = MarkerOwner::outermost(session);
     let mut markers = owner.markers(session);
+    let time = tidy(time);
+    // The name of the one that is there is changed by a double click.
+    if markers.iter().any(|marker| (marker.time - time).abs() < 1e-6) {
+        return;
+    }
     let is_free = |number: &usize| {
         let name = format!("Marker {number}");
         markers.iter().all(|marker| marker.name != name)
     };
     let number = (1..).find(is_free).unwrap_or(1);
     let name = format!("Marker {number}");
-    markers.push(Marker { time: tidy(time), name, unknown: UnknownFields::new() });
+    markers.push(Marker { time, name, unknown: UnknownFields::new() });
     out.push(owner.set_in_order(session, markers));
 }
 

@@ -62,6 +62,7 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     // Before the graph, whose keys are some of the same.
     if let Some(panel) = timeline.panel.filter(|_| presence == Presence::Seen) {
         sheet::keys(timeline, ui, session, panel, &mut commands);
+        transport::keys(timeline, ui, session, panel, &mut commands);
     }
     commands
 });
@@ -254,7 +255,6 @@ impl Timeline {
         self.navigate(ui, panel, axis, rows);
         // Above the hint of an empty timeline, which is to be read.
         playhead(ui, session, axis, if is_empty { top } else { rows.bottom() });
-        transport::keys(self, ui, session, panel, &mut commands);
         commands
     }
 

@@ -23,6 +23,8 @@ use crate::widgets::theme;
 
 /// Fields of the camera that are offered to be keyed.
 const CAMERA: [&str; 4] = ["camera.eye", "camera.target", "camera.fov", "camera.height"];
+/// Fields of the selected object that are offered to be keyed.
+const OBJECT: [&str; 3] = ["transform.translate", "transform.rotate", "transform.scale"];
 /// Least distance of two keys, in frames.
 const GAP: f64 = 1e-3;
 
@@ -62,17 +64,21 @@ pub(super) fn times(session: &Session) -> Vec<f64> {
     keys.map(|key| rate.time_within(key.frame)).collect()
 }
 
-/// Shows the entries that key the camera, where no keys of it are there.
+/// Shows the entries that key the camera and the selected object, where no keys of it are there.
 pub(super) fn menu(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let Some((shot, scene)) = session.shot().zip(session.open_scene()) else { return };
-    for target in CAMERA {
+    let of_object = scene
+        .selected()
+        .into_iter()
+        .flat_map(|(id, _)| OBJECT.map(|field| format!("objects.{id}.{field}")));
+    for target in CAMERA.map(str::to_owned).into_iter().chain(of_object) {
         let is_keyed = tracks(shot).any(|track| track.change.target == target);
-        if is_keyed || scene.scene().value_at(target).is_err() {
+        if is_keyed || scene.scene().value_at(&target).is_err() {
             continue;
         }
-        let [owner, what] = scene_names::of(target);
+        let [owner, what] = scene_names::of(&target);
         if ui.button(format!("{owner}: {what}")).clicked() {
-            push(out, ShotCommand::Key(ShotAddress { look: None, target: target.to_owned() }));
+            push(out, ShotCommand::Key(ShotAddress { look: None, target }));
             ui.close();
         }
     }

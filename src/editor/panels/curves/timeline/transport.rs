@@ -78,7 +78,9 @@ pub(super) fn keys(
     panel: Rect,
     out: &mut Vec<Command>,
 ) {
-    if !ui.rect_contains_pointer(panel) || keyboard::is_keyboard_taken(ui.ctx()) {
+    // A key that was clicked has the focus, which is no field to type into.
+    let is_taken = keyboard::is_dialog_open(ui.ctx()) || ui.ctx().text_edit_focused();
+    if !ui.rect_contains_pointer(panel) || is_taken {
         return;
     }
     let pressed = |key: Key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
