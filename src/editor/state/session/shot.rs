@@ -431,11 +431,12 @@ fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
 /// their frames.
 pub(crate) fn change_text(session: &Session, change: &ValueChange) -> (String, String) {
     let space = color_space(change, session.color_space_at(change.look.as_deref()));
+    let told = |json| keys_text(json, space).unwrap_or_else(|| colored_text(json, space));
     let from = match &change.from {
         Json::Null => tr!("default").to_owned(),
-        from => colored_text(from, space),
+        from => told(from),
     };
-    (from, keys_text(&change.to, space).unwrap_or_else(|| colored_text(&change.to, space)))
+    (from, told(&change.to))
 }
 
 /// Keys in words, all of them where they are few; `None` for what are no keys.

@@ -333,8 +333,8 @@ pub(super) fn frame(
     });
 }
 
-/// Shows the time at the playhead beside the ruler, and the real rate while frames are played: there
-/// nothing moves as they come and go.
+/// Shows the time at the playhead beside the ruler, and the real rate while frames are played:
+/// there nothing moves as they come and go.
 pub(super) fn time(ui: &mut Ui, place: Rect, session: &Session, playback: &Playback) {
     let builder = UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center));
     let ui = &mut ui.new_child(builder);
