@@ -21,6 +21,8 @@ pub(crate) struct PlayedClip {
     pub(crate) seconds: f64,
     /// Speed, start and end.
     pub(crate) played: MeshAnimation,
+    /// Times of the file's keys, in seconds of the file.
+    pub(crate) keys: Vec<f64>,
 }
 
 impl PlayedClip {
@@ -29,6 +31,11 @@ impl PlayedClip {
     pub(crate) fn seams(&self, range: [f64; 2]) -> Vec<f64> {
         let ends = if self.played.loops { &[0.0][..] } else { &[0.0, self.seconds] };
         self.times_of(ends, range)
+    }
+
+    /// Times of the file's keys as the clip plays, within a range of times of the scene, in seconds.
+    pub(crate) fn key_times(&self, range: [f64; 2]) -> Vec<f64> {
+        self.times_of(&self.keys, range)
     }
 
     /// Times of the scene at which the clip is at some of its own times, in seconds; empty where
@@ -89,14 +96,20 @@ impl FileMotion {
                 name: animation.name.clone(),
                 seconds: animation.seconds(),
                 played: played.clone(),
+                keys: animation.key_times(),
             });
         }
         let camera = setup.scene.file_camera.as_ref().and_then(|asked| {
             let object = setup.objects.iter().find(|object| object.id.as_str() == asked.object)?;
-            let mut cameras = object.mesh.motion.as_ref()?.cameras().iter();
+            let motion = object.mesh.motion.as_ref()?;
+            let mut cameras = motion.cameras().iter();
             let found = cameras.find(|it| asked.name.is_empty() || it.name == asked.name)?;
+            let animation = motion.animations().get(object.animation.as_ref()?.number)?;
+            let (_, node) = motion.camera(&asked.name)?;
             let clip = clips.iter().find(|clip| clip.object == object.id)?;
-            Some(CameraInFile { name: found.name.clone(), clip: clip.clone() })
+            let keys = motion.key_times(animation, node);
+            let clip = PlayedClip { keys, ..clip.clone() };
+            Some(CameraInFile { name: found.name.clone(), clip })
         });
         // Looks place no camera, and would be copied for each time.
         setup.looks.clear();
@@ -121,7 +134,9 @@ mod tests {
             name: "sway".to_owned(),
             seconds: 2.0,
             played: MeshAnimation { speed, offset, loops, ..MeshAnimation::default() },
+            keys: vec![0.5, 2.0],
         };
+        assert_eq!(clip(1.0, 0.0, true).key_times([0.0, 3.0]), [0.5, 2.0, 2.5]);
         let range = [0.0, 5.0];
         assert_eq!(clip(1.0, 0.0, true).seams(range), [0.0, 2.0, 4.0]);
         assert_eq!(clip(2.0, 1.0, true).seams([0.0, 2.0]), [0.5, 1.5]);

@@ -62,6 +62,11 @@ impl Curve {
         self.times.last().copied().map_or(0.0, f64::from)
     }
 
+    /// Times of the keys, in seconds, each after the one before.
+    pub(in crate::geometry) fn times(&self) -> impl Iterator<Item = f64> + '_ {
+        self.times.iter().map(|time| f64::from(*time))
+    }
+
     /// The value at a time in seconds, into `value`. Before the first key and after the last, that
     /// key's value holds.
     pub(in crate::geometry) fn value(&self, time: f64, value: &mut Vec<f64>) {

@@ -87,6 +87,20 @@ impl Animation {
     pub fn seconds(&self) -> f64 {
         self.channels.iter().map(|channel| channel.curve.end()).fold(0.0, f64::max)
     }
+
+    /// Times of all keys, in seconds, each once and in increasing order.
+    pub fn key_times(&self) -> Vec<f64> {
+        self.key_times_of(|_| true)
+    }
+
+    /// Times of the keys of some channels.
+    fn key_times_of(&self, is_it: impl Fn(&Channel) -> bool) -> Vec<f64> {
+        let channels = self.channels.iter().filter(|channel| is_it(channel));
+        let mut times: Vec<f64> = channels.flat_map(|channel| channel.curve.times()).collect();
+        times.sort_unstable_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
 }
 
 /// Curve that moves one part of a node.
@@ -151,6 +165,16 @@ impl Motion {
         let mut cameras = self.cameras.iter();
         let camera = cameras.find(|camera| name.is_empty() || camera.name == name)?;
         Some((camera.lens, camera.node))
+    }
+
+    /// Times of the keys of an animation that move a node or a node above it, in seconds, each once
+    /// and in increasing order.
+    pub fn key_times(&self, animation: &Animation, node: u32) -> Vec<f64> {
+        let parent = |node: &u32| self.nodes.get(*node as usize)?.parent;
+        // As many nodes as there are, whatever their parents say.
+        let line = std::iter::successors(Some(node), parent).take(self.nodes.len());
+        let moved: Vec<u32> = line.collect();
+        animation.key_times_of(|channel| moved.contains(&channel.node))
     }
 
     /// True if anything of it can be asked for.

@@ -3,13 +3,14 @@
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    self, Button, FontId, Pos2, Rect, RichText, Role, Sense, Shape, Stroke, StrokeKind, Ui,
-    WidgetInfo, pos2, vec2,
+    self, Button, Color32, FontId, Pos2, Rect, RichText, Role, Sense, Shape, Stroke, StrokeKind,
+    Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
 use super::{NAMES, ROW, Timeline, graph};
 use crate::commands::{Command, SceneCommand, ShotCommand};
+use crate::fields::mark;
 use crate::state::revision::{FilesRevision, PictureRevision};
 use crate::state::scene::{CameraInFile, FileMotion, PlayedClip};
 use crate::state::session::Session;
@@ -234,12 +235,17 @@ fn lane(ui: &Ui, axis: Axis, rect: Rect, (label, help): (&str, &str)) -> Rect {
     lane
 }
 
-/// Draws where a clip begins anew or ends.
+/// Draws where a clip begins anew or ends, and the keys of the file: smaller than those of the shot,
+/// hollow, and at the edge.
 fn seams(ui: &Ui, axis: Axis, lane: Rect, clip: &PlayedClip) {
     let stroke = Stroke::new(1.0, theme::of(ui).dim);
     let painter = ui.painter_at(lane);
     for time in clip.seams(axis.seen) {
         painter.vline(axis.x(time), lane.y_range(), stroke);
+    }
+    for time in clip.key_times(axis.seen) {
+        let at = pos2(axis.x(time), lane.bottom() - 5.0);
+        mark::diamond(ui, at, 2.5, Color32::TRANSPARENT, stroke.color);
     }
 }
 
