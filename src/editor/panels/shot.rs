@@ -122,6 +122,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
                     objects move on every one");
     several(ui, tr!("Shading on"), help, |ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
+        ui.spacing_mut().button_padding.x = 5.0;
         for (step, text) in STEPS {
             let is_it = shot.stack().step() == step;
             let name = tr!("Shading on {text}");

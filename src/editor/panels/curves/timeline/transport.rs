@@ -314,5 +314,5 @@ pub(super) fn place(timeline: &Timeline, ui: &mut Ui, session: &Session) {
     } else {
         tr!("Where the playhead is")
     };
-    ui.label(RichText::new(text).monospace()).on_hover_text(help);
+    ui.add(Label::new(RichText::new(text).monospace()).extend()).on_hover_text(help);
 }
