@@ -41,16 +41,6 @@ pub(crate) const ROUNDS: [&[&str]; 10] = [
     &["History", "Cost and accuracy"],
     &["Wedge", "Probe"],
     &["Snapshots", "Paint light"],
-]; 9] = [
-    &["Timeline"],
-    &["Light table"],
-    &["Objects", "Code", "Mixer"],
-    &["Shot", "Problems", "Links"],
-    &["Library", "Effects", "Export"],
-    &["Picture", "Graph", "Inspector", "Layers", "Profile"],
-    &["Lights", "Keys"],
-    &["History", "Cost and accuracy"],
-    &["Probe"],
 ];
 
 /// Menus of the bar.

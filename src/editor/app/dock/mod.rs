@@ -125,7 +125,7 @@ impl Dock {
         let TileBehavior { is_changed, is_resized, wanted, .. } = shown;
         self.is_changed |= is_changed;
         if let Some(own) = own_shares.filter(|_| !is_resized) {
-            self.restore_columns(own);
+            self.restore_columns(&own);
         }
         if let Some(wanted) = wanted {
             self.tree.make_active(|tile, _| tile == wanted);
