@@ -102,6 +102,23 @@ fn is_in_front(hand: &User, label: &str) -> bool {
         .is_some_and(|tab| tab.accesskit_node().toggled() == Some(Toggled::True))
 }
 
+#[test]
+fn panels_that_join_a_row_of_tabs_push_none_of_the_first_out() {
+    let mut hand = User::new();
+    for panel in ["Snapshots", "Variations", "Wedge", "Render"] {
+        view(&mut hand, Role::CheckBox, panel);
+    }
+    let tab = |label| hand.harness.get_by_role_and_label(Role::Tab, label).rect();
+    let row = tab("Layers").top();
+    for label in ["Layers", "Lights", "Render"] {
+        let seen = tab(label);
+        assert!(seen.width() > 40.0 && seen.right() < 1500.0 && seen.top() == row, "{label}");
+    }
+    assert!(is_in_front(&hand, "Render") && tab("Wedge").width() == 0.0);
+    click_tab(&mut hand, "Lights");
+    assert!(is_in_front(&hand, "Lights"));
+}
+
 fn new_painting(hand: &mut User) {
     hand.press("Paint");
     hand.press("New painted surface, small (16 x 16, 3 x 6 directions)");

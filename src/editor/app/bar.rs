@@ -27,7 +27,8 @@ const NOTHING_PAINTED: Text =
 
 impl App {
     pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        ui.horizontal(|ui| {
+        // Long words of another language take a second row in a narrow window.
+        ui.horizontal_wrapped(|ui| {
             let mut button =
                 |ui: &mut Ui, label: &str, help: &str, is_on: bool, command: Command| {
                     let response =

@@ -29,7 +29,7 @@ const MIXED: Text = text!("The selected nodes have different values; setting it 
 
 /// Width of the labels, in points, and the part of a narrow row that they take at most.
 const LABEL: f32 = 92.0;
-const LABEL_PART: f32 = 0.44;
+const LABEL_PART: f32 = 0.38;
 
 /// Room that the number beside a slider takes, in points, and the least room of both: where there
 /// is less, the number alone is dragged.
@@ -106,8 +106,15 @@ fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::R
     let response = ui.allocate_ui_with_layout(size, layout, |ui| {
         ui.set_min_width(width);
         ui.set_max_width(width);
-        // A long name takes a second line.
-        ui.add(egui::Label::new(label).wrap().sense(sense))
+        // A long name takes a second line, but a long word is shortened.
+        let font = egui::TextStyle::Body.resolve(ui.style());
+        let word = |word: &str| {
+            let word = word.to_owned();
+            ui.painter().layout_no_wrap(word, font.clone(), egui::Color32::WHITE).size().x
+        };
+        let is_whole = label.text().split_whitespace().all(|part| word(part) <= width);
+        let label = egui::Label::new(label).sense(sense);
+        ui.add(if is_whole { label.wrap() } else { label.truncate() })
     });
     // What follows the label is shortened where a narrow row has no room for it.
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
@@ -259,8 +266,9 @@ fn held(subject: &InspectedNode<'_>, port: &Port, widget: Id, value: Value) -> C
     Command::EditHeld(widget, edit)
 }
 
-/// Room that the button of a wired input takes, in points.
+/// Room that the button of a wired input takes, and that of one without a value, in points.
 const UNWIRE: f32 = 50.0;
+const SET: f32 = 54.0;
 
 /// Shows the source of a wired input.
 fn wired(
@@ -462,7 +470,10 @@ fn unset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port) -> Option<(Id, V
             return None;
         }
     };
-    ui.label(RichText::new(text).color(theme::of(ui).dim));
+    ui.scope(|ui| {
+        ui.set_max_width((ui.available_width() - SET).max(0.0));
+        ui.label(RichText::new(text).color(theme::of(ui).dim));
+    });
     let response = ui.small_button(tr!("Set")).on_hover_text(tr!("Gives it a value of its own"));
     if response.clicked() { Some((response.id, first?)) } else { None }
 }

@@ -95,7 +95,8 @@ impl Code {
     }
 
     fn head(&self, ui: &mut Ui, shader: &CompiledShader, commands: &mut Vec<Command>) {
-        ui.horizontal(|ui| {
+        let about = |ui: &mut Ui| {
+            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
             ui.label(RichText::new("WGSL").strong());
             let what = trn!(count = self.lines.len(), "{count} line", "{count} lines");
             ui.label(RichText::new(what).color(theme::of(ui).dim));
@@ -110,10 +111,13 @@ impl Code {
                 ui.label(RichText::new(text).color(theme::of(ui).dim))
                     .on_hover_text(removed.join("\n"));
             }
+        };
+        ui.horizontal(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button(tr!("Copy")).on_hover_text(tr!("Copies the whole shader")).clicked() {
                     commands.push(Command::Copy(shader.wgsl.clone()));
                 }
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), about);
             });
         });
     }

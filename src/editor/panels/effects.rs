@@ -92,7 +92,7 @@ impl Effects {
     /// Shows the number of effects in each state; a click hides or shows those.
     fn filters(&mut self, ui: &mut Ui) {
         let mut is_changed = false;
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             for (state, is_listed) in STATES.into_iter().zip(&mut self.is_listed) {
                 let count = self.of.iter().filter(|effect| effect.state == state).count();
                 let color =
@@ -192,14 +192,14 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     };
     let font = FontId::proportional(theme::TEXT_SIZE);
     let (left, width) = (rect.left() + 18.0, rect.width() - 18.0);
-    // In a narrow panel the reason is told by the help alone.
+    // In a narrow panel reason and proof are told by the help alone.
     let has_reason = width > REASONED;
-    let shares = if has_reason { [0.3, 0.24, 0.22] } else { [0.38, 0.31, 0.31] };
-    let [name_width, cost_width, proof_width] = shares.map(|share| width * share);
-    let name_width = name_width.clamp(70.0, 220.0);
+    let share = if has_reason { 0.3 } else { 0.68 };
+    let name_width = (width * share).clamp(70.0, 220.0);
     let proof = effect.proof.map(|proof| proof.label());
-    let proof_width = if proof.is_some() { proof_width.min(140.0) } else { 0.0 };
-    let cost_width = cost_width.min(130.0);
+    let seen_proof = proof.filter(|_| has_reason);
+    let proof_width = if seen_proof.is_some() { (width * 0.22).min(140.0) } else { 0.0 };
+    let cost_width = if has_reason { (width * 0.24).min(130.0) } else { width - name_width };
     let column = |from: f32, width: f32| {
         Rect::from_min_size(pos2(from, rect.top()), vec2(width, rect.height()))
     };
@@ -213,7 +213,7 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     if has_reason {
         cell(ui, column(reason_left, reason_width), &reason, font.clone(), theme::of(ui).dim);
     }
-    if let Some(proof) = proof {
+    if let Some(proof) = seen_proof {
         cell(
             ui,
             column(rect.right() - proof_width, proof_width),

@@ -183,6 +183,7 @@ fn step(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     inherited(ui, shot, (tr!("Shading on"), help), own, out, |ui, _, out| {
         ui.spacing_mut().item_spacing.x = 2.0;
         let now = shot.stack().step();
+        ui.spacing_mut().button_padding.x = 5.0;
         for (step, text) in STEPS {
             let is_it = now == step;
             let name = tr!("Shading on {text}");

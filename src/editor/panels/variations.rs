@@ -142,7 +142,8 @@ impl Variations {
         let mut chosen = None;
         ui.horizontal(|ui| {
             let label = ui.label(tr!("Vary"));
-            let combo = ComboBox::from_id_salt("vary").width(150.0).selected_text(text);
+            let width = ui.available_width().min(150.0);
+            let combo = ComboBox::from_id_salt("vary").width(width).truncate().selected_text(text);
             let combo = combo.height(320.0).show_ui(ui, |ui| {
                 for subject in subjects(session) {
                     let is_it = now.as_ref() == Some(&subject);

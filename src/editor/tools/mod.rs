@@ -45,8 +45,8 @@ pub(crate) static TOOLS: &[ToolRow] = &[
 /// States of the picture's tools, each of a type of its own.
 pub(crate) struct PictureTools {
     states: Vec<Box<dyn Any>>,
-    /// Number of tools whose switch has no room in the bar, the last of them.
-    without_room: usize,
+    /// True for each switch of the bar that has no room there.
+    without_room: Vec<bool>,
     /// Widths of the switches in the bar, as they were shown last, in points.
     widths: Vec<f32>,
 }
@@ -56,7 +56,8 @@ impl PictureTools {
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let parts = ToolParts::new(gpu, wake);
         let states = TOOLS.iter().map(|tool| (tool.start)(&parts)).collect();
-        Self { states, without_room: 0, widths: vec![0.0; TOOLS.len()] }
+        let (without_room, widths) = (vec![false; TOOLS.len()], vec![0.0; TOOLS.len()]);
+        Self { states, without_room, widths }
     }
 
     /// State of this type, which the row of a tool starts.
@@ -98,13 +99,12 @@ impl PictureTools {
     /// Shows the switches of the tools whose switch is at `place`. Those that have no room in a
     /// narrow bar are among the options.
     pub(crate) fn switches(&mut self, ui: &mut Ui, place: SwitchPlace, out: &mut Vec<Command>) {
-        let of_bar = || TOOLS.iter().filter(|tool| tool.place == SwitchPlace::Bar);
+        let at = |place: SwitchPlace| TOOLS.iter().filter(move |tool| tool.place == place);
+        let of_bar = || at(SwitchPlace::BarEnd).chain(at(SwitchPlace::Bar));
         if place == SwitchPlace::Bar {
-            self.without_room = 0;
             for (index, tool) in of_bar().enumerate() {
-                if self.without_room > 0 || ui.available_width() < self.widths[index] {
-                    self.without_room += 1;
-                } else {
+                self.without_room[index] = ui.available_width() < self.widths[index];
+                if !self.without_room[index] {
                     // The bar is filled from its right end.
                     let start = ui.cursor().right();
                     (tool.switch)(self, ui, out);
@@ -113,9 +113,11 @@ impl PictureTools {
             }
             return;
         }
-        let has_room = of_bar().count() - self.without_room;
-        let others = TOOLS.iter().filter(|tool| tool.place == place);
-        for tool in of_bar().skip(has_room).chain(others) {
+        let without_room: Vec<&ToolRow> = of_bar()
+            .zip(&self.without_room)
+            .filter_map(|(tool, is_without)| is_without.then_some(tool))
+            .collect();
+        for tool in without_room.into_iter().chain(at(place)) {
             (tool.switch)(self, ui, out);
         }
     }

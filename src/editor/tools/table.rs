@@ -46,6 +46,8 @@ pub(crate) struct PictureContext<'a> {
 pub(crate) enum SwitchPlace {
     /// The bar above the picture.
     Bar,
+    /// The end of that bar, where others give way.
+    BarEnd,
     /// The options of the picture.
     Options,
 }

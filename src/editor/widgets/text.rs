@@ -1,15 +1,26 @@
 //! Lines of text: a hint in place of missing content, a cell that is cut where it is too long, and
 //! a field for texts with a form of their own.
 
+use std::sync::Arc;
+
 use chiaro_locale::tr;
 use eframe::egui;
-use eframe::egui::{Id, RichText, TextEdit, Ui};
+use eframe::egui::{Id, Label, Response, RichText, TextEdit, Ui, WidgetText};
 
 use super::theme;
 
 /// Shows a line in place of content that does not exist yet.
 pub(crate) fn hint(ui: &mut Ui, text: &str) {
     ui.label(egui::RichText::new(text).color(theme::of(ui).dim));
+}
+
+/// Shows a text that is cut after so many lines; the whole of it is up to the help.
+pub(crate) fn in_lines(ui: &mut Ui, text: RichText, lines: usize) -> Response {
+    let style = egui::FontSelection::Default;
+    let job = WidgetText::from(text).into_layout_job(ui.style(), style, egui::Align::Center);
+    let mut job = Arc::unwrap_or_clone(job);
+    job.wrap.max_rows = lines;
+    ui.add(Label::new(job).show_tooltip_when_elided(false))
 }
 
 /// Shows a field for a value that has a form as text. A text of that form takes effect while it is

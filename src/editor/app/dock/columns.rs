@@ -38,7 +38,7 @@ impl Dock {
     }
 
     /// Gives columns their own shares back.
-    pub(super) fn restore_columns(&mut self, own: OwnShares) {
+    pub(super) fn restore_columns(&mut self, own: &OwnShares) {
         let tile = self.tree.tiles.get_mut(own.columns);
         if let Some(Tile::Container(Container::Linear(linear))) = tile {
             own.shares.iter().for_each(|(child, share)| linear.shares.set_share(*child, *share));

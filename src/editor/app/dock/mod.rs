@@ -125,7 +125,7 @@ impl Dock {
         let TileBehavior { is_changed, is_resized, wanted, .. } = shown;
         self.is_changed |= is_changed;
         if let Some(own) = own_shares.filter(|_| !is_resized) {
-            self.restore_columns(own);
+            self.restore_columns(&own);
         }
         if let Some(wanted) = wanted {
             self.tree.make_active(|tile, _| tile == wanted);
@@ -281,7 +281,8 @@ impl Behavior<Pane> for TileBehavior<'_> {
         });
         let font = TextStyle::Body.resolve(ui.style());
         let name = WidgetText::from(panel.label.tr());
-        let room = (size.x - TAB_MARGIN).max(0.0);
+        // Half a point more than the name takes, so that rounding shortens none.
+        let room = (size.x - TAB_MARGIN + 0.5).max(0.0);
         let galley = name.into_galley(ui, Some(TextWrapMode::Truncate), room, font);
         let is_whole = !galley.elided;
         if !state.is_being_dragged && size.x > 0.0 {

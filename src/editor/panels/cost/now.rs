@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use chiaro_locale::{Text, text, tr, trn};
-use eframe::egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Label, ProgressBar, RichText, Role, TextWrapMode, Ui, WidgetInfo};
 
 use super::Cost;
 use super::causes::{CauseRequest, CauseValue, PassCause};
@@ -19,6 +19,8 @@ use crate::widgets::theme;
 
 /// Most nodes whose shares are listed.
 const MOST_NODES: usize = 8;
+/// Least width of the bar of a share, in points.
+const SHARE: f32 = 112.0;
 /// Least share that is listed.
 const LEAST_SHARE: f64 = 0.01;
 
@@ -146,10 +148,13 @@ fn shares(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut Vec<Comm
             None => format!("{percent:.0} %"),
         };
         ui.horizontal(|ui| {
-            let width = (ui.available_width() * 0.4).clamp(60.0, 160.0);
+            // The bar has room for its words, and the name is shortened.
+            let width = (ui.available_width() * 0.4).clamp(SHARE, 160.0);
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
             let bar = ProgressBar::new(share as f32).desired_width(width);
             ui.add(bar.text(RichText::new(text).small()));
-            let link = ui.link(title).on_hover_text(tr!("Selects it and brings it into view"));
+            let help = format!("{title}\n{}", tr!("Selects it and brings it into view"));
+            let link = ui.link(title).on_hover_text(help);
             if link.clicked() {
                 out.push(Command::Reveal(id.clone()));
             }

@@ -117,7 +117,7 @@ impl Cost {
     }
 
     fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2], cost: Option<&PictureCost>) {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             if self.is_measuring() {
                 let [done, total] = self.progress.steps();
                 let share = self.progress.share() as f32;

@@ -23,13 +23,15 @@ use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
 use crate::widgets::spots::{self, Spot};
-use crate::widgets::text::formed;
+use crate::widgets::text::{formed, in_lines};
 use crate::widgets::theme;
 
 /// Number of steps of a screen between the least and the greatest number of a color.
 const STEPS: f64 = 255.0;
 /// Width of a list where there is room, and least width of a field with its unit, in points.
 const LIST: f32 = 100.0;
+/// Most lines of a node's help that stand above its values.
+const HELP: usize = 3;
 const UNIT: f32 = 90.0;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
@@ -92,7 +94,7 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     if !kind.help.is_empty() {
         let help = tr_in("node", &kind.help);
         let first = help.split("\n\n").next().unwrap_or_default();
-        ui.label(RichText::new(first).color(theme::of(ui).dim)).on_hover_text(help);
+        in_lines(ui, RichText::new(first).color(theme::of(ui).dim), HELP).on_hover_text(help);
     }
     if !kind.sources.is_empty() {
         ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::of(ui).dim));

@@ -2,14 +2,18 @@
 //! or soloed.
 
 use chiaro_locale::tr;
-use eframe::egui::{DragValue, Label, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Align, DragValue, Id, Label, Layout, RichText, Role, Ui, WidgetInfo};
 
 use crate::commands::{Command, SceneCommand};
-use crate::document::{ColorSpace, MAX_EXPOSURE, SetTerm};
+use crate::document::{ColorSpace, GroupMaster, MAX_EXPOSURE, SetTerm};
 use crate::fields::mix::SceneMix;
 use crate::ids::{LightGroup, LightId};
 use crate::widgets::color;
+use crate::widgets::rows::ICON;
 use crate::widgets::theme;
+
+/// Least room of a group's name and numbers that tells its exposure, in points.
+const EXPOSED: f32 = 160.0;
 
 /// Shows a row for each group; nothing where there is none.
 pub(super) fn show(ui: &mut Ui, mix: SceneMix<'_>, space: ColorSpace, out: &mut Vec<Command>) {
@@ -43,38 +47,55 @@ fn row(
     let term = SetTerm::Group(group.to_string());
     ui.spacing_mut().item_spacing.x = 4.0;
     mix.mute(ui, &tr!("Group {name} shines"), &term, out);
-    mix.solo(ui, &tr!("Solo group {name}"), &term, out);
-    let mut new = master.clone();
+    // The name is at the left and the rest at the right end, as in the rows of lights.
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        ui.add_space(ICON + 4.0);
+        mix.solo(ui, &tr!("Solo group {name}"), &term, out);
+        let mut new = master.clone();
+        let widget = values(ui, name, &mut new, space);
+        let is_out = !mix.shines(&term);
+        let ink = if is_out { theme::of(ui).dim } else { theme::of(ui).text };
+        let text = RichText::new(name).strong().color(ink);
+        let text = if is_out { text.strikethrough() } else { text };
+        let lights = mix.lights.of_term(&term);
+        let names = match lights.is_empty() {
+            true => tr!("No light is of this group").to_owned(),
+            false => mix.lights.names(&lights),
+        };
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            ui.add(Label::new(text).truncate()).on_hover_text(names);
+        });
+        if let Some(widget) = widget.filter(|_| new != master) {
+            let edit = SceneCommand::EditHeld(widget, SceneMix::mastering(group, new));
+            out.push(Command::Scene(edit));
+        }
+    });
+}
+
+/// Shows the values of a group's master, from the right to the left. Returns the widget of one that
+/// is changed.
+fn values(ui: &mut Ui, name: &str, new: &mut GroupMaster, space: ColorSpace) -> Option<Id> {
+    ui.spacing_mut().interact_size.x = ICON;
     let mut widget = None;
-    let intensity = DragValue::new(&mut new.intensity).prefix("×").speed(0.01);
-    let response = ui.add(intensity.range(0.0..=1e6).max_decimals(2));
-    let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
-    response.widget_info(|| number(tr!("Intensity of group {name}"), new.intensity));
-    widget = widget.or(response.changed().then_some(response.id));
-    let exposure = DragValue::new(&mut new.exposure).suffix(" EV").speed(0.02);
-    let response = ui.add(exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
-    let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
-    response.widget_info(|| number(tr!("Exposure of group {name}"), new.exposure));
-    widget = widget.or(response.changed().then_some(response.id));
     let [r, g, b] = new.tint;
     let tint = tr!("Tint of group {name}");
     if let Some((id, [r, g, b, _])) = color::named_swatch(ui, &tint, [r, g, b, 1.0], space, false) {
         new.tint = [r, g, b];
-        widget = widget.or(Some(id));
+        widget = Some(id);
     }
-    let is_out = !mix.shines(&term);
-    let ink = if is_out { theme::of(ui).dim } else { theme::of(ui).text };
-    let text = RichText::new(name).strong().color(ink);
-    let text = if is_out { text.strikethrough() } else { text };
-    let lights = mix.lights.of_term(&term);
-    let names = match lights.is_empty() {
-        true => tr!("No light is of this group").to_owned(),
-        false => mix.lights.names(&lights),
-    };
-    ui.add(Label::new(text).truncate()).on_hover_text(names);
-    if let Some(widget) = widget.filter(|_| new != master) {
-        out.push(Command::Scene(SceneCommand::EditHeld(widget, SceneMix::mastering(group, new))));
+    // The name comes before the exposure, which the mixer has, too.
+    if ui.available_width() > EXPOSED {
+        let exposure = DragValue::new(&mut new.exposure).suffix(" EV").speed(0.02);
+        let response = ui.add(exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
+        let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
+        response.widget_info(|| number(tr!("Exposure of group {name}"), new.exposure));
+        widget = widget.or(response.changed().then_some(response.id));
     }
+    let intensity = DragValue::new(&mut new.intensity).prefix("×").speed(0.01);
+    let response = ui.add(intensity.range(0.0..=1e6).max_decimals(2));
+    let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
+    response.widget_info(|| number(tr!("Intensity of group {name}"), new.intensity));
+    widget.or(response.changed().then_some(response.id))
 }
 
 /// Shows the entries of a light's menu that mute and solo it in the scene.

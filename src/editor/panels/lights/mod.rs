@@ -49,6 +49,8 @@ const USERS: f32 = 50.0;
 
 /// Least room of a row's name and numbers that tells the users of a light, in points.
 const ROOMY: f32 = 150.0;
+/// Least room of a row's name and numbers that tells the intensity of a light, in points.
+const TELLING: f32 = 100.0;
 
 /// Side of a light's swatch, in points.
 const SWATCH: f32 = 16.0;
@@ -231,11 +233,14 @@ impl Lights {
             }
             let is_replaced = owned_light.owner == Owner::Look
                 && session.keys().light_of_scene(owned_light.id).is_some();
-            // In a narrow panel the name comes first.
+            // In a narrow panel the name comes first; the intensity is among the light's fields,
+            // too.
             if ui.available_width() > ROOMY {
                 self.users(ui, owned_light, is_replaced);
             }
-            intensity(ui, session, owned_light, out);
+            if ui.available_width() > TELLING {
+                intensity(ui, session, owned_light, out);
+            }
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
                 let here =

@@ -32,7 +32,7 @@ use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use compare::{Comparer, PictureSource};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
-    SwitchPlace::Bar,
+    SwitchPlace::BarEnd,
     |parts| Box::new(Wipe::new(parts.gpu.clone(), parts.wake())),
     |tools| tools.of::<Wipe>().against.is_some(),
     |tools, ui, out| {

@@ -12,6 +12,7 @@ use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::tools::PictureTools;
 use crate::values;
+use crate::widgets::rows::together;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
@@ -47,14 +48,16 @@ pub(super) fn show(
         }
         ui.checkbox(&mut timeline.snaps, tr!("Snap"))
             .on_hover_text(tr!("Keys and the playhead stay on frames"));
-        range(timeline, ui);
-        if ui
-            .button(tr!("timeline" => "Fit"))
-            .on_hover_text(tr!("Brings all keys and the range into view"))
-            .clicked()
-        {
-            timeline.fit(session);
-        }
+        together(ui, "range", |ui| {
+            range(timeline, ui);
+            if ui
+                .button(tr!("timeline" => "Fit"))
+                .on_hover_text(tr!("Brings all keys and the range into view"))
+                .clicked()
+            {
+                timeline.fit(session);
+            }
+        });
         add_value(ui, session, out);
         transport::ways(timeline, ui, session, tools, out);
     });
