@@ -8,6 +8,7 @@ use super::select;
 use crate::commands::{Command, MaskCommand};
 use crate::document::{Edit, GraphId, Value};
 use crate::ids::{NodeId, NodePath, PortName};
+use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
 use crate::state::stack::Stack;
 use crate::state::stack::mask::{self, INVERTED, SOURCES};
@@ -114,7 +115,8 @@ pub(super) fn menu(
             }
             for source in &SOURCES {
                 if ui.button(source.name.tr()).on_hover_text(source.help.tr()).clicked() {
-                    add(session, stack.mask(look, layer, source), out);
+                    let around = sphere_of_lights(session.open_scene());
+                    add(session, stack.mask(look, layer, (source, around)), out);
                 }
             }
             let coverages = tree.coverages(look, catalog, layer);
