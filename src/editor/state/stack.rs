@@ -39,9 +39,9 @@ pub(crate) struct Layer {
 
 impl Layer {
     /// The layer of a node, without reroutes.
-    fn of(id: NodeId, outlet: PortName, input: PortName) -> Self {
+    fn of(id: NodeId, outlet: &PortName, input: PortName) -> Self {
         let end = |port: &PortName| Endpoint { node: id.clone(), port: port.clone() };
-        Self { outlet: end(&outlet), inlet: end(&input), input, id }
+        Self { outlet: end(outlet), inlet: end(&input), input, id }
     }
 
     /// True for a node that changes what is below and lays nothing over it.
@@ -128,7 +128,7 @@ impl Stack {
                         before.seen.push(id);
                     }
                     stack.close(at);
-                    let layer = Layer::of(id.clone(), wire.from.port.clone(), input);
+                    let layer = Layer::of(id.clone(), &wire.from.port, input);
                     at = layer.inlet.clone();
                     stack.layers.push(layer);
                     continue;
