@@ -39,9 +39,9 @@ pub(crate) struct Layer {
 
 impl Layer {
     /// The layer of a node, without reroutes.
-    fn of(id: NodeId, outlet: PortName, input: PortName) -> Self {
+    fn of(id: NodeId, outlet: &PortName, input: PortName) -> Self {
         let end = |port: &PortName| Endpoint { node: id.clone(), port: port.clone() };
-        Self { outlet: end(&outlet), inlet: end(&input), input, id }
+        Self { outlet: end(outlet), inlet: end(&input), input, id }
     }
 
     /// True for a node that changes what is below and lays nothing over it.
@@ -50,8 +50,8 @@ impl Layer {
     }
 }
 
-/// State of a stack before adjustments that lie on no layer, as far as it is known.
-struct Untouched<'l> {
+/// Mark in a stack before adjustments that lie on no layer, as far as it is known.
+struct StackMark<'l> {
     count: usize,
     inlet: Endpoint,
     ground: Endpoint,
@@ -93,7 +93,7 @@ impl Stack {
     ) -> Self {
         let graph = &look.graph;
         let mut stack = Self { output: Some(at.node.clone()), ..Self::default() };
-        let mut untouched: Option<Untouched<'l>> = None;
+        let mut mark: Option<StackMark<'l>> = None;
         loop {
             let wire = into.get(&at);
             let found =
@@ -104,7 +104,7 @@ impl Stack {
                 stack.is_on_other = !is_new;
                 let is_on_layer = is_layer(kind, wire);
                 if is_on_layer || !is_new || node.kind == BASE {
-                    untouched = None;
+                    mark = None;
                 }
                 if kind.is_reroute
                     && is_new
@@ -119,7 +119,7 @@ impl Stack {
                 };
                 if let Some(input) = input.filter(|_| is_new) {
                     if !is_on_layer {
-                        let before = untouched.get_or_insert_with(|| Untouched {
+                        let before = mark.get_or_insert_with(|| StackMark {
                             count: stack.layers.len(),
                             inlet: at.clone(),
                             ground: wire.from.clone(),
@@ -128,14 +128,14 @@ impl Stack {
                         before.seen.push(id);
                     }
                     stack.close(at);
-                    let layer = Layer::of(id.clone(), wire.from.port.clone(), input);
+                    let layer = Layer::of(id.clone(), &wire.from.port, input);
                     at = layer.inlet.clone();
                     stack.layers.push(layer);
                     continue;
                 }
             }
             let ground = found.map(|(wire, _)| wire.from.clone());
-            if let Some(before) = untouched {
+            if let Some(before) = mark {
                 for id in &before.seen {
                     seen.remove(id);
                 }

@@ -8,6 +8,7 @@ use super::select;
 use crate::commands::{Command, MaskCommand};
 use crate::document::{Edit, GraphId, Value};
 use crate::ids::{NodeId, NodePath, PortName};
+use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
 use crate::state::stack::Stack;
 use crate::state::stack::mask::{self, INVERTED, SOURCES};
@@ -23,53 +24,8 @@ pub(super) fn menu(
 ) {
     let look = session.look();
     let Some(stack) = tree.stack_of(layer) else { return };
-    if let Some((id, node)) = mask::of(look, layer) {
-        let is_inverted = matches!(node.values.get(INVERTED), Some(Value::Bool(true)));
-        let help = tr!("What was hidden is shown, and what was shown is hidden");
-        if ui.button(tr!("Invert mask")).on_hover_text(help).clicked() {
-            out.push(Command::Edit(Edit::SetValue {
-                graph: GraphId::Look,
-                id: id.clone(),
-                port: PortName::new(INVERTED),
-                value: Value::Bool(!is_inverted),
-                index: None,
-            }));
-        }
-        let help = tr!("Selects it, to set it in the inspector");
-        if ui.button(tr!("Show mask")).on_hover_text(help).clicked() {
-            out.push(Command::Show(NodePath::root(id.clone())));
-        }
-        if session.mask_file(layer).is_some() {
-            let help = tr!("Shows and hides parts of the layer with a brush on the model");
-            if ui.button(tr!("Paint mask")).on_hover_text(help).clicked() {
-                out.push(Command::Mask(MaskCommand::Paint(layer.clone())));
-            }
-        }
-        let clip = tree.clip_of(look, &session.project.catalog, layer);
-        if let Some(clip) = clip.as_ref().filter(|clip| clip.is_stale) {
-            let name = title_of(session, &clip.base);
-            let help = tr!("{name} has got further layers: shows it where those are, too");
-            if ui.button(tr!("Clip anew")).on_hover_text(help).clicked() {
-                let anew = tree.clip_anew(look, &session.project.catalog, (layer, clip));
-                out.extend(anew.map(Command::Edit));
-            }
-        }
-        let (label, help) = match clip {
-            Some(clip) => (
-                tr!("Unclip"),
-                tr!(
-                    "Shows it where {name} is not, too (Ctrl+Alt+G)",
-                    name = title_of(session, &clip.base)
-                ),
-            ),
-            None => (
-                tr!("Remove mask"),
-                tr!("Takes the mask away, with what feeds it alone; the opacity stays").to_owned(),
-            ),
-        };
-        if ui.button(label).on_hover_text(help).clicked() {
-            out.extend(stack.unmask(look, layer).map(Command::Edit));
-        }
+    if mask::of(look, layer).is_some() {
+        of_masked(ui, session, (tree, stack), layer, out);
         return;
     }
     let catalog = &session.project.catalog;
@@ -112,29 +68,99 @@ pub(super) fn menu(
             if button.on_hover_text(help).on_disabled_hover_text(unsaved).clicked() {
                 out.push(Command::Mask(MaskCommand::New(layer.clone())));
             }
-            for source in &SOURCES {
-                if ui.button(source.name.tr()).on_hover_text(source.help.tr()).clicked() {
-                    add(session, stack.mask(look, layer, source), out);
-                }
-            }
-            let coverages = tree.coverages(look, catalog, layer);
-            if !coverages.is_empty() {
-                ui.separator();
-            }
-            for (id, coverage) in coverages {
-                let text = match tree.is_folder(&id) {
-                    true => tr!("Tones in {name}", name = name_of(&id)),
-                    false => tr!("Tone of {name}", name = name_of(&id)),
-                };
-                if ui.button(text).on_hover_text(tr!("Shows it only where that layer is")).clicked()
-                {
-                    add(session, Stack::mask_by(look, layer, &coverage), out);
-                }
-            }
+            sources(ui, session, (tree, stack), layer, out);
         });
         let help = tr!("Hides parts of the layer: white shows it, black hides it");
         shown.response.on_hover_text(help).on_disabled_hover_text(taken);
     });
+}
+
+/// Shows the entries that change the mask of a layer.
+fn of_masked(
+    ui: &mut Ui,
+    session: &Session,
+    (tree, stack): (&LayerTree, &Stack),
+    layer: &NodeId,
+    out: &mut Vec<Command>,
+) {
+    let look = session.look();
+    let Some((id, node)) = mask::of(look, layer) else { return };
+    let is_inverted = matches!(node.values.get(INVERTED), Some(Value::Bool(true)));
+    let help = tr!("What was hidden is shown, and what was shown is hidden");
+    if ui.button(tr!("Invert mask")).on_hover_text(help).clicked() {
+        out.push(Command::Edit(Edit::SetValue {
+            graph: GraphId::Look,
+            id: id.clone(),
+            port: PortName::new(INVERTED),
+            value: Value::Bool(!is_inverted),
+            index: None,
+        }));
+    }
+    let help = tr!("Selects it, to set it in the inspector");
+    if ui.button(tr!("Show mask")).on_hover_text(help).clicked() {
+        out.push(Command::Show(NodePath::root(id.clone())));
+    }
+    if session.mask_file(layer).is_some() {
+        let help = tr!("Shows and hides parts of the layer with a brush on the model");
+        if ui.button(tr!("Paint mask")).on_hover_text(help).clicked() {
+            out.push(Command::Mask(MaskCommand::Paint(layer.clone())));
+        }
+    }
+    let clip = tree.clip_of(look, &session.project.catalog, layer);
+    if let Some(clip) = clip.as_ref().filter(|clip| clip.is_stale) {
+        let name = title_of(session, &clip.base);
+        let help = tr!("{name} has got further layers: shows it where those are, too");
+        if ui.button(tr!("Clip anew")).on_hover_text(help).clicked() {
+            let anew = tree.clip_anew(look, &session.project.catalog, (layer, clip));
+            out.extend(anew.map(Command::Edit));
+        }
+    }
+    let (label, help) = match clip {
+        Some(clip) => (
+            tr!("Unclip"),
+            tr!(
+                "Shows it where {name} is not, too (Ctrl+Alt+G)",
+                name = title_of(session, &clip.base)
+            ),
+        ),
+        None => (
+            tr!("Remove mask"),
+            tr!("Takes the mask away, with what feeds it alone; the opacity stays").to_owned(),
+        ),
+    };
+    if ui.button(label).on_hover_text(help).clicked() {
+        out.extend(stack.unmask(look, layer).map(Command::Edit));
+    }
+}
+
+/// Shows what can mask a layer: sources, and where other layers are.
+fn sources(
+    ui: &mut Ui,
+    session: &Session,
+    (tree, stack): (&LayerTree, &Stack),
+    layer: &NodeId,
+    out: &mut Vec<Command>,
+) {
+    let look = session.look();
+    for source in &SOURCES {
+        if ui.button(source.name.tr()).on_hover_text(source.help.tr()).clicked() {
+            let around = sphere_of_lights(session.open_scene());
+            add(session, stack.mask(look, layer, (source, around)), out);
+        }
+    }
+    let coverages = tree.coverages(look, &session.project.catalog, layer);
+    if !coverages.is_empty() {
+        ui.separator();
+    }
+    for (id, coverage) in coverages {
+        let text = match tree.is_folder(&id) {
+            true => tr!("Tones in {name}", name = title_of(session, &id)),
+            false => tr!("Tone of {name}", name = title_of(session, &id)),
+        };
+        if ui.button(text).on_hover_text(tr!("Shows it only where that layer is")).clicked() {
+            add(session, Stack::mask_by(look, layer, &coverage), out);
+        }
+    }
 }
 
 /// Clips a layer to what is below, or frees it again; leaves one with another mask as it is.

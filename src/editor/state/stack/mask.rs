@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use chiaro_locale::{Text, text};
+use glam::DVec3;
 
 use super::tree::LayerTree;
 use super::{STEP, Stack};
@@ -44,14 +45,14 @@ struct SourceNode {
     /// Output that feeds the next node; empty for the first.
     output: &'static str,
     numbers: &'static [(&'static str, f64)],
-    /// Numbers for both parts of a pair.
-    pairs: &'static [(&'static str, f64)],
+    /// True for a picture that is laid over the sphere around the object.
+    is_framed: bool,
     words: &'static [(&'static str, &'static str)],
 }
 
 impl SourceNode {
     const fn of(kind: &'static str, input: &'static str) -> Self {
-        Self { kind, input, output: "", numbers: &[], pairs: &[], words: &[] }
+        Self { kind, input, output: "", numbers: &[], is_framed: false, words: &[] }
     }
 }
 
@@ -69,13 +70,13 @@ pub(crate) static SOURCES: [MaskSource; 9] = [
     MaskSource {
         name: text!("A picture from the front"),
         help: text!(
-            "Laid straight through the object along its own z axis, which needs no UVs; the \
-             image's Scale and Offset place it, 0.5 and 0.5 for an object 2 high and wide"
+            "Laid straight through the object as it stands, seen from the front, which needs no \
+             UVs; the image's Scale and Offset move it. It stays where it is when the object moves"
         ),
         chain: &[
-            SourceNode { words: &[("space", "object")], ..SourceNode::of("position", "") },
+            SourceNode::of("position", ""),
             SourceNode {
-                pairs: &[("scale", 0.5), ("offset", 0.5)],
+                is_framed: true,
                 words: &[("encoding", "data"), ("wrap", "clamp")],
                 ..SourceNode::of("image", "uv")
             },
@@ -305,16 +306,22 @@ fn made_of<'l>(
 }
 
 impl Stack {
-    /// Masks a layer by a source. Returns the new mask's id with the edit.
-    pub(crate) fn mask(&self, look: &Look, layer: &NodeId, source: &MaskSource) -> (NodeId, Edit) {
+    /// Masks a layer by a source; `around` is the sphere around the object, in world space. Returns
+    /// the new mask's id with the edit.
+    pub(crate) fn mask(
+        &self,
+        look: &Look,
+        layer: &NodeId,
+        (source, around): (&MaskSource, (DVec3, f64)),
+    ) -> (NodeId, Edit) {
         let mut making = MaskEdits::new(look, layer);
         let mut from = source.is_of_stack.then(|| self.below(layer)).flatten();
         let count = source.chain.len();
         for (place, part) in source.chain.iter().enumerate() {
             let numbers = part.numbers.iter().map(|(port, x)| (*port, Value::Number(*x)));
-            let pairs = part.pairs.iter().map(|(port, x)| (*port, Value::Vector(vec![*x; 2])));
+            let framed = part.is_framed.then(|| frame(around)).into_iter().flatten();
             let words = part.words.iter().map(|(port, word)| (*port, Value::Text((*word).into())));
-            let values = numbers.chain(pairs).chain(words);
+            let values = numbers.chain(framed).chain(words);
             let id = making.node(part.kind, values, count - place);
             if let Some(from) = from {
                 making.wire(from, &id, part.input);
@@ -380,6 +387,16 @@ impl Stack {
         let next = self.index_of(layer)? + 1;
         self.layers.get(next).map(|layer| &layer.outlet).or(self.ground.as_ref()).cloned()
     }
+}
+
+/// Values of an image that lays a picture over a sphere, by positions in world space.
+fn frame((center, radius): (DVec3, f64)) -> [(&'static str, Value); 2] {
+    let scale = 0.5 / if radius > 0.0 { radius } else { 1.0 };
+    // Finer than a picture's texels, on large objects too, and short enough to be read in files.
+    let short = |x: f64| (x * 1e8).round() / 1e8;
+    let pair = |x: f64, y: f64| Value::Vector(vec![short(x), short(y)]);
+    let offset = pair(0.5 - center.x * scale, 0.5 - center.y * scale);
+    [("scale", pair(scale, scale)), ("offset", offset)]
 }
 
 /// A node with all that it feeds.
@@ -478,6 +495,8 @@ mod tests {
         {"from": "b.tone", "to": "c.tone"}, {"from": "b.below", "to": "c.below"},
         {"from": "c", "to": "output.color"}]}"#;
 
+    const AROUND: (DVec3, f64) = (DVec3::ZERO, 1.0);
+
     fn setup() -> (Look, Catalog, LayerTree) {
         let look = Look::read(LOOK, "test").value.unwrap();
         let mut catalog = Catalog::new(Library::built_in());
@@ -498,7 +517,7 @@ mod tests {
             let stack = tree.own();
             let before = look.clone();
             assert!(is_free(&look, &catalog, &"b".into()));
-            let (mask, edit) = stack.mask(&look, &"b".into(), source);
+            let (mask, edit) = stack.mask(&look, &"b".into(), (source, AROUND));
             look.apply(edit).unwrap();
             assert_eq!(problems(&look), [""; 0], "{}", source.name);
             assert_eq!(of(&look, &"b".into()).map(|(id, _)| id), Some(&mask));
@@ -510,6 +529,14 @@ mod tests {
             look.apply(stack.unmask(&look, &"b".into()).unwrap()).unwrap();
             assert_eq!(look, before, "{}", source.name);
         }
+    }
+
+    #[test]
+    fn a_picture_is_laid_over_the_whole_object() {
+        let [(_, scale), (_, offset)] = frame((DVec3::new(3.0, -1.0, 9.0), 2.0));
+        assert_eq!(scale, Value::Vector(vec![0.25; 2]));
+        assert_eq!(offset, Value::Vector(vec![-0.25, 0.75]), "the middle is the picture's");
+        assert_eq!(frame((DVec3::ZERO, 0.0))[0].1, Value::Vector(vec![0.5; 2]), "a point");
     }
 
     #[test]
@@ -558,7 +585,7 @@ mod tests {
         let before = look.clone();
         for is_masked in [false, true] {
             look = before.clone();
-            let own = is_masked.then(|| tree.own().mask(&look, &folder, noise).1);
+            let own = is_masked.then(|| tree.own().mask(&look, &folder, (noise, AROUND)).1);
             let mut tree = tree.clone();
             if let Some(edit) = own {
                 tree = after(&mut look, &catalog, edit);

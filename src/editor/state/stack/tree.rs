@@ -768,12 +768,12 @@ fn removal(id: NodeId) -> Edit {
 
 /// The layer of a node with the ports that layers have.
 fn plain_layer(id: &NodeId) -> Layer {
-    Layer::of(id.clone(), PortName::new(BELOW), PortName::new(BELOW))
+    Layer::of(id.clone(), &PortName::new(BELOW), PortName::new(BELOW))
 }
 
 /// The layer of a node's copy.
 fn copied_layer(layer: &Layer, copy: &NodeId) -> Layer {
-    Layer::of(copy.clone(), layer.outlet.port.clone(), layer.input.clone())
+    Layer::of(copy.clone(), &layer.outlet.port, layer.input.clone())
 }
 
 /// A pass-through folder with a name that nothing has yet.
