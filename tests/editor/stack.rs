@@ -327,6 +327,17 @@ fn lights_are_muted_in_the_window_and_edited_in_the_look() {
     assert_eq!(hand.app().session().steps().labels().count(), 1, "one gesture");
     hand.undo();
     hand.settle();
+    // The swatch of the row opens the color's picker.
+    let own = hand.look().lights["key"].color;
+    hand.press_a(Role::ColorWell, "Color of key");
+    let square = hand.place_like("Saturation and brightness");
+    hand.drag(square.center(), square.right_top() + vec2(-20.0, 20.0));
+    hand.key(Key::Escape);
+    hand.settle();
+    assert_ne!(hand.look().lights["key"].color, own);
+    assert_eq!(hand.app().session().steps().undo_label(), Some("Color of key"));
+    hand.undo();
+    hand.settle();
     hand.press("Light key shines");
     assert!(
         !hand.app().session().view().shines("key") && hand.app().session().view().shines("back")
