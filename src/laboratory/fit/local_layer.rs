@@ -17,7 +17,7 @@ use super::target::PixelGoal;
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
-/// Largest number of pixels that every beginning is tried at.
+/// Largest number of pixels that beginnings are tried at, and descend.
 const FEW_PIXELS: usize = 400;
 /// Largest number of directions that lights are tried from, for each lighting model.
 const MOST_LIGHTS: usize = 24;
@@ -40,8 +40,10 @@ const MOST_PLACES: usize = 6;
 const RADII: [f64; 5] = [0.2, 0.35, 0.6, 1.0, 1.5];
 /// Hardness that a place begins with.
 const HARDNESS: f64 = 0.3;
-/// Number of beginnings of either kind that descend.
+/// Number of beginnings of either kind that descend at few pixels.
 const DESCENDING: usize = 4;
+/// Number of those whose descent goes on at all pixels.
+const GOING_ON: usize = 2;
 /// Error that a hard profile counts as, as an RMS of a channel.
 const SOFT: f64 = 2.0 / 255.0;
 /// RMS of a channel that the rest may be moved by, by all layers together, however much is painted.
@@ -58,6 +60,17 @@ pub(super) struct LocalLayer {
 }
 
 impl LocalLayer {
+    /// The tone at each of some samples.
+    fn tones(&self, samples: &[PaintedSample]) -> Vec<f64> {
+        let which = usize::from(self.lit.kind == LightingModel::Specular);
+        let lit = self.lit.tone();
+        let tone = |sample: &PaintedSample| {
+            let weight = self.place.map_or(1.0, |place| place.weight(sample.position));
+            if weight > 0.0 { weight * lit(sample.directions[which]) } else { 0.0 }
+        };
+        samples.iter().map(tone).collect()
+    }
+
     fn moved(&self, by: &[f64]) -> Self {
         let (lit, place) = by.split_at(5);
         Self { lit: self.lit.moved(lit), place: self.place.map(|own| own.moved(place)) }
@@ -77,15 +90,8 @@ pub(super) struct PaintedSample {
 }
 
 impl PaintedSample {
-    fn tone(&self, layer: &LocalLayer) -> f64 {
-        let which = usize::from(layer.lit.kind == LightingModel::Specular);
-        let lit = layer.lit.tone(self.directions[which]);
-        layer.place.map_or(lit, |place| lit * place.weight(self.position))
-    }
-
-    /// The sample with a layer over it.
-    pub(super) fn covered(&self, layer: &LocalLayer, color: [f64; 3]) -> Self {
-        let tone = self.tone(layer);
+    /// The sample with a color of a tone over it.
+    fn covered(&self, tone: f64, color: [f64; 3]) -> Self {
         let below = std::array::from_fn(|c| self.below[c] + tone * (color[c] - self.below[c]));
         Self { below, ..*self }
     }
@@ -121,19 +127,24 @@ pub(super) fn rest_moved(samples: &[PaintedSample]) -> f64 {
     (sum / (3.0 * weight).max(1e-12)).sqrt()
 }
 
-/// The color of a layer that brings the samples nearest to their goals, straight, in the look's
-/// space: for a tone t over b the picture is b + t (c - b), linear in c.
-pub(super) fn color_of(samples: &[PaintedSample], layer: &LocalLayer) -> [f64; 3] {
+/// The samples with a layer over them, in the color that brings them nearest to their goals, and
+/// that color, straight, in the look's space: for a tone t over b the picture is b + t (c - b),
+/// linear in c.
+fn covered<'s>(
+    samples: &'s [PaintedSample],
+    layer: &LocalLayer,
+) -> ([f64; 3], impl Iterator<Item = PaintedSample> + use<'s>) {
+    let tones = layer.tones(samples);
     let (mut sums, mut squares) = ([0.0; 3], 0.0);
-    for sample in samples {
-        let tone = sample.tone(layer);
+    for (sample, tone) in samples.iter().zip(&tones) {
         let PixelGoal { color, weight, .. } = sample.goal;
         squares += weight * tone * tone;
         for c in 0..3 {
             sums[c] += weight * tone * (color[c] - sample.below[c] * (1.0 - tone));
         }
     }
-    sums.map(|sum| (sum / squares.max(1e-12)).clamp(0.0, 1.0))
+    let color = sums.map(|sum| (sum / squares.max(1e-12)).clamp(0.0, 1.0));
+    (color, samples.iter().zip(tones).map(move |(sample, tone)| sample.covered(tone, color)))
 }
 
 /// The next layer with its color, and the samples with it; `None` where nothing helps, or where
@@ -148,9 +159,12 @@ pub(super) fn next_layer(
     for by in HEAVIER {
         let held: Vec<PaintedSample> = samples.iter().map(|sample| sample.held(by)).collect();
         let Some(layer) = nearest_layer(&held, progress)? else { return Ok(None) };
-        let color = color_of(&held, &layer);
-        let covered: Vec<PaintedSample> =
-            samples.iter().map(|sample| sample.covered(&layer, color)).collect();
+        let (color, covered) = covered(&held, &layer);
+        let own = |(covered, sample): (PaintedSample, &PaintedSample)| PaintedSample {
+            goal: sample.goal,
+            ..covered
+        };
+        let covered: Vec<PaintedSample> = covered.zip(samples).map(own).collect();
         if rest_moved(&covered) <= REST_MOVED {
             return Ok(Some((layer, color, covered)));
         }
@@ -181,8 +195,9 @@ fn nearest_layer(
     let thin = [few(&strokes), few(&rest)].concat();
     strokes.sort_by(|a, b| b.squared().total_cmp(&a.squared()));
     let before = error(&thin);
-    let problem = LocalProblem { samples, soft: SOFT };
-    let mut best: Option<Minimum<LocalLayer>> = None;
+    let few = LocalProblem { samples: &thin, soft: SOFT };
+    let until = StopRule { steps: 40, error: 0.0 };
+    let mut found: Vec<Minimum<LocalLayer>> = Vec::new();
     // Layers on all of the object come first, and of equal ones the first stays.
     for begun in [layers_by_light(&strokes), layers_by_place(&strokes)] {
         let mut tried: Vec<(f64, LocalLayer)> = begun
@@ -192,11 +207,16 @@ fn nearest_layer(
             .collect();
         tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         for (_, layer) in tried.into_iter().take(DESCENDING) {
-            let until = StopRule { steps: 40, error: 0.0 };
-            let found = descend(&problem, layer, until, progress)?;
-            if best.as_ref().is_none_or(|best| found.error < best.error) {
-                best = Some(found);
-            }
+            found.push(descend(&few, layer, until, progress)?);
+        }
+    }
+    found.sort_by(|a, b| a.error.total_cmp(&b.error));
+    let all = LocalProblem { samples, soft: SOFT };
+    let mut best: Option<Minimum<LocalLayer>> = None;
+    for near in found.into_iter().take(GOING_ON) {
+        let far = descend(&all, near.point, until, progress)?;
+        if best.as_ref().is_none_or(|best| far.error < best.error) {
+            best = Some(far);
         }
     }
     Ok(best.map(|best| best.point))
@@ -204,8 +224,7 @@ fn nearest_layer(
 
 /// The sum of the squared differences with a layer in its best color.
 fn error_with(samples: &[PaintedSample], layer: &LocalLayer) -> f64 {
-    let color = color_of(samples, layer);
-    samples.iter().map(|sample| sample.covered(layer, color).squared()).sum()
+    covered(samples, layer).1.map(|sample| sample.squared()).sum()
 }
 
 /// Layers to begin from on all of the object: with lights toward where most is missing among the
@@ -304,8 +323,7 @@ impl LeastSquares for LocalProblem<'_> {
     }
 
     fn residuals(&self, layer: &LocalLayer) -> Result<Vec<f64>, Diagnostic> {
-        let color = color_of(self.samples, layer);
-        let covered = self.samples.iter().map(|sample| sample.covered(layer, color));
+        let (_, covered) = covered(self.samples, layer);
         let mut residuals: Vec<f64> = covered
             .flat_map(|sample| (sample.goal.weight.sqrt() * sample.missing()).to_array())
             .collect();
