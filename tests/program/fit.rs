@@ -312,7 +312,7 @@ fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
     assert!(fitted.report.is_stopped && fitted.look.lights.len() == 1, "{:?}", fitted.report);
 }
 
-/// A ramp over the angle from a light: only the light and the ramp's own colors can be turned.
+/// The fit of layers over a look on a mesh.
 fn local(look: &Look, mesh: &str, strokes: &strokes::Strokes) -> FittedLook {
     let (options, progress) = (FitOptions::default(), Progress::new());
     let setup = setup_of(look.clone(), mesh);
@@ -330,20 +330,50 @@ fn light_that_is_painted_lies_where_it_was_painted_and_the_rest_of_the_look_stay
     let [after, rest, _] = strokes::off(&strokes, &fitted.look, mesh);
     assert!(after < 0.6 * before, "{after} from {before}");
     assert!(rest < 0.3 * before, "the rest stays: {rest}");
-    // All that was there is there as it was; two layers came, one of light and one of dark.
+    // All that was there is there as it was; layers came, and places that some are confined to.
     for (id, node) in look.graph.nodes.iter().filter(|(_, node)| node.kind != "output") {
         assert_eq!(fitted.look.graph.nodes[id], *node);
     }
     for (id, light) in &look.lights {
         assert_eq!(fitted.look.lights[id], *light);
     }
-    let added = fitted.look.graph.nodes.len() - look.graph.nodes.len();
-    assert!((1..=3).contains(&added) && fitted.look.lights.len() == look.lights.len() + added);
+    let of = |look: &Look, kind: &str| {
+        look.graph.nodes.values().filter(|node| node.kind == kind).count()
+    };
+    let came = |kind: &str| of(&fitted.look, kind) - of(&look, kind);
+    let (layers, places) = (came("light_layer"), came("nearby"));
+    assert!((1..=3).contains(&layers) && places <= layers, "{layers} layers, {places} places");
+    assert_eq!(fitted.look.lights.len(), look.lights.len() + layers);
+    assert_eq!(fitted.look.graph.nodes.len(), look.graph.nodes.len() + layers + places);
     let mut redone = look.clone();
     redone.apply(fitted.edit.clone()).unwrap();
     assert_eq!(redone, fitted.look);
 }
 
+/// The creature has each of its normals at many places: a light that falls on all of it would light
+/// them all.
+#[test]
+fn strokes_on_a_bumpy_body_are_met_at_their_places_and_more_of_them_move_the_rest_no_further() {
+    let text = std::fs::read_to_string("examples/looks/figure2-diffuse.json").unwrap();
+    let look = Look::read(&text, "figure2.json").value.unwrap();
+    let mesh = "shape:creature";
+    let mut strokes = strokes::strokes(&look, mesh);
+    let two = strokes.painted.goals.clone();
+    let [x, _] = strokes.painted.size.map(|side| side / 2);
+    strokes.painted.goals.retain(|goal| goal.pixel[0] > x);
+    for all in [strokes.painted.goals.clone(), two] {
+        strokes.painted.goals = all;
+        let fitted = local(&look, mesh, &strokes);
+        let [before, ..] = strokes::off(&strokes, &look, mesh);
+        let [after, rest, _] = strokes::off(&strokes, &fitted.look, mesh);
+        assert!(after < 0.7 * before, "{after} from {before}");
+        assert!(rest < 8.0 / 255.0, "the rest stays: {rest}");
+        let is_placed = |node: &chiaro::document::Node| node.kind == "nearby";
+        assert!(fitted.look.graph.nodes.values().any(is_placed), "{:?}", fitted.report.changed);
+    }
+}
+
+/// A ramp over the angle from a light: only the light and the ramp's own colors can be turned.
 #[test]
 fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     let text = std::fs::read_to_string("examples/looks/figure2-diffuse.json").unwrap();

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::model::{FitShot, Model};
 use super::target::{FitTarget, PixelGoal};
 use crate::diag::Diagnostic;
-use crate::document::{Endpoint, Graph, Look, Node, Wire};
+use crate::document::{Endpoint, Graph, Look, Node, Value, Values, Wire};
 use crate::frame::Setup;
 
 /// Largest number of painted pixels that are used; more are thinned, as the others say the same.
@@ -82,7 +82,7 @@ impl SurfaceSamples {
         shot: &FitShot<'_>,
         chosen: &HashSet<[u32; 2]>,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let setup = wearing(shot, showing("normal"));
+        let setup = wearing(shot, showing("normal", Values::new()));
         let model = Model::new(&FitShot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
         let normals = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
         let directions = normals.into_iter().zip(&model.pixels).map(|(normal, pixel)| {
@@ -96,12 +96,29 @@ impl SurfaceSamples {
     }
 }
 
-/// A look that shows the output of a node of this kind.
-fn showing(kind: &str) -> Look {
-    let node = |kind: &str| Node { kind: kind.to_owned(), ..Node::default() };
+/// Positions of the surface at the chosen pixels, in the object's own space, by column and row.
+///
+/// # Errors
+/// Looks that the interpreter cannot run.
+pub(super) fn positions_of(
+    shot: &FitShot<'_>,
+    chosen: &HashSet<[u32; 2]>,
+) -> Result<HashMap<[u32; 2], DVec3>, Vec<Diagnostic>> {
+    let space = Values::from_iter([("space".into(), Value::Text("object".to_owned()))]);
+    let setup = wearing(shot, showing("position", space));
+    let model = Model::new(&FitShot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
+    let found = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
+    Ok(model.pixels.iter().copied().zip(found.into_iter().map(DVec3::from)).collect())
+}
+
+/// A look that shows the output of a node of this kind, with these values.
+fn showing(kind: &str, values: Values) -> Look {
+    let node = |kind: &str, values| Node { kind: kind.to_owned(), values, ..Node::default() };
     let wire = Wire { from: Endpoint::new("shown", ""), to: Endpoint::new("output", "color") };
     let nodes =
-        [("shown".into(), node(kind)), ("output".into(), node("output"))].into_iter().collect();
+        [("shown".into(), node(kind, values)), ("output".into(), node("output", Values::new()))]
+            .into_iter()
+            .collect();
     Look { graph: Graph { nodes, wires: vec![wire], ..Graph::default() }, ..Look::default() }
 }
 

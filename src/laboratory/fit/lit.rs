@@ -42,10 +42,11 @@ pub(super) struct LayerLight {
 }
 
 impl LayerLight {
-    /// The tone for the surface direction `direction`: 1 up to the offset, 0 from the cut-off on
-    /// (BADF eq. 5).
-    pub(super) fn tone(&self, direction: DVec3) -> f64 {
-        self.shape.tone(self.direction.dot(direction).clamp(-1.0, 1.0).acos())
+    /// The tone for any direction of the surface: 1 up to the offset, 0 from the cut-off on (BADF
+    /// eq. 5).
+    pub(super) fn tone(&self) -> impl Fn(DVec3) -> f64 + Sync + use<> {
+        let (toward, curve) = (self.direction, ToneCurve::new(&self.shape));
+        move |direction| curve.at(toward.dot(direction).clamp(-1.0, 1.0).acos())
     }
 
     /// Room along each coordinate, down and up: two of the direction, then three of the profile.
@@ -73,7 +74,8 @@ impl LayerLight {
 
     /// The complement of this light, from the other side, as nearly as a profile can show it.
     pub(super) fn turned_over(&self) -> Self {
-        let around = |angle: f64| 1.0 - self.shape.tone(PI - angle);
+        let own = ToneCurve::new(&self.shape);
+        let around = |angle: f64| 1.0 - own.at(PI - angle);
         let angles = || (0..=TURNED).map(|step| PI * f64::from(step) / f64::from(TURNED));
         let cutoff = PI - self.shape.offset;
         let shapes = (0..TURNED).flat_map(|begin| {
@@ -87,7 +89,8 @@ impl LayerLight {
             })
         });
         let miss = |shape: &ProfileShape| {
-            angles().map(|angle| (shape.tone(angle) - around(angle)).powi(2)).sum::<f64>()
+            let curve = ToneCurve::new(shape);
+            angles().map(|angle| (curve.at(angle) - around(angle)).powi(2)).sum::<f64>()
         };
         let nearest = shapes.map(|shape| (miss(&shape), shape)).min_by(|a, b| a.0.total_cmp(&b.0));
         Self {
@@ -98,23 +101,38 @@ impl LayerLight {
     }
 }
 
-impl ProfileShape {
-    /// The tone at `angle` radians from the light.
-    fn tone(&self, angle: f64) -> f64 {
-        let Self { offset, width, share } = *self;
-        let beyond = angle - offset;
-        if beyond <= 0.0 {
-            return 1.0;
-        }
-        let q = (0.5 * beyond).sin() / (0.5 * width).sin();
-        if q >= 1.0 || width < 1e-6 {
-            return 0.0;
-        }
+/// A profile with what is the same at all angles.
+#[derive(Clone, Copy, Debug)]
+struct ToneCurve {
+    offset: f64,
+    width: f64,
+    /// Sine of half the width.
+    sine: f64,
+    exponent: f64,
+}
+
+impl ToneCurve {
+    fn new(shape: &ProfileShape) -> Self {
+        let ProfileShape { offset, width, share } = *shape;
         // BADF eq. 11: the fall-off is where the curve is steepest.
         let falloff = share * width;
         let (sum, difference) = ((0.5 * (width + falloff)).sin(), (0.5 * (width - falloff)).sin());
         let exponent = (sum * sum + difference * difference) / falloff.sin().powi(2);
-        (1.0 - q * q).powf(if share >= 1.0 { 1.0 } else { exponent })
+        let exponent = if share >= 1.0 { 1.0 } else { exponent };
+        Self { offset, width, sine: (0.5 * width).sin(), exponent }
+    }
+
+    /// The tone at `angle` radians from the light.
+    fn at(&self, angle: f64) -> f64 {
+        let beyond = angle - self.offset;
+        if beyond <= 0.0 {
+            return 1.0;
+        }
+        let q = (0.5 * beyond).sin() / self.sine;
+        if q >= 1.0 || self.width < 1e-6 {
+            return 0.0;
+        }
+        (1.0 - q * q).powf(self.exponent)
     }
 }
 
@@ -137,7 +155,7 @@ mod tests {
             for step in 0..=180 {
                 let (sin, cos) = f64::from(step).to_radians().sin_cos();
                 let place = DVec3::new(sin, 0.0, cos);
-                let sum = lit.tone(place) + over.tone(place);
+                let sum = lit.tone()(place) + over.tone()(place);
                 assert!(
                     (sum - 1.0).abs() < 0.12,
                     "{ends:?} at {step} degrees: {sum}, {:?}",

@@ -283,9 +283,21 @@ pub(super) fn compared_as_is(
     shot: &FitShot<'_>,
     given: &[PixelGoal],
 ) -> Result<ComparedPixels, Vec<Diagnostic>> {
-    let model = Model::new(shot, Vec::new(), &pixels_of(given))?;
-    let goals = goals_of(&model.pixels, given)?;
-    compared(&model, &goals, &[]).map_err(|one| vec![one])
+    compared_at(&Model::new(shot, Vec::new(), &pixels_of(given))?, given)
+}
+
+/// Comparison of a model with goals of some of its pixels, as it is.
+pub(super) fn compared_at(
+    model: &Model,
+    given: &[PixelGoal],
+) -> Result<ComparedPixels, Vec<Diagnostic>> {
+    let wished = pixels_of(given);
+    let places: Vec<usize> =
+        (0..model.pixels.len()).filter(|&place| wished.contains(&model.pixels[place])).collect();
+    let pixels: Vec<[u32; 2]> = places.iter().map(|&place| model.pixels[place]).collect();
+    let goals = goals_of(&pixels, given)?;
+    let colors = model.colors(&model.sheet(&places), &[]).map_err(|one| vec![one])?;
+    Ok(missed(&goals, colors))
 }
 
 /// Comparison of a model with the goals, at each of its pixels.
@@ -294,13 +306,17 @@ pub(super) fn compared(
     goals: &[PixelGoal],
     state: &[KnobSetting],
 ) -> Result<ComparedPixels, Diagnostic> {
-    let colors = model.colors(&model.sheet(&model.all()), state)?;
+    Ok(missed(goals, model.colors(&model.sheet(&model.all()), state)?))
+}
+
+/// Comparison of goals with the colors that their pixels show.
+fn missed(goals: &[PixelGoal], colors: Vec<[f64; 3]>) -> ComparedPixels {
     let missed = |(goal, shown): (&PixelGoal, [f64; 3])| {
         let error = rms_of(std::array::from_fn(|c| shown[c] - goal.color[c]));
         let missed = MissedPixel { pixel: goal.pixel, wished: goal.color, shown, error };
         ComparedPixel { missed, weight: goal.weight, is_rest: goal.is_rest }
     };
-    Ok(goals.iter().zip(colors).map(missed).collect())
+    goals.iter().zip(colors).map(missed).collect()
 }
 
 /// RMS of the painted pixels, or of the rest; `None` if there are none.

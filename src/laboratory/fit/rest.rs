@@ -41,15 +41,20 @@ impl UnpaintedPixels {
         target: &FitTarget,
         kept: f64,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let [width, height] = target.size;
-        let stride =
-            (f64::from(width) * f64::from(height) / MOST_SEEN as f64).sqrt().ceil().max(1.0)
-                as usize;
-        let seen = |side: u32| (0..side).step_by(stride);
-        let chosen: HashSet<[u32; 2]> =
-            seen(height).flat_map(|y| seen(width).map(move |x| [x, y])).collect();
+        let model = Model::new(shot, Vec::new(), &seen_of(target.size).collect())?;
+        Self::of(&model, target, kept)
+    }
+
+    /// The unpainted pixels among those of a model of the look: see [`new`](Self::new).
+    ///
+    /// # Errors
+    /// Shaders that the interpreter cannot run.
+    pub(super) fn of(
+        model: &Model,
+        target: &FitTarget,
+        kept: f64,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let painted: HashSet<[u32; 2]> = target.goals.iter().map(|goal| goal.pixel).collect();
-        let model = Model::new(shot, Vec::new(), &chosen)?;
         let free: Vec<usize> = (0..model.pixels.len())
             .filter(|&place| !painted.contains(&model.pixels[place]))
             .collect();
@@ -71,6 +76,13 @@ impl UnpaintedPixels {
         goals.iter_mut().for_each(|goal| goal.weight *= each);
         Ok(Self { goals, share })
     }
+}
+
+/// The pixels of a picture that unpainted ones are chosen from, evenly spread.
+pub(super) fn seen_of([width, height]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+    let stride = (f64::from(width) * f64::from(height) / MOST_SEEN as f64).sqrt().ceil().max(1.0);
+    let seen = move |side: u32| (0..side).step_by(stride as usize);
+    seen(height).flat_map(move |y| seen(width).map(move |x| [x, y]))
 }
 
 /// Distance of a pixel from all strokes: 0 beside a stroke, 1 beyond the strokes' reach.

@@ -296,6 +296,41 @@ mod tests {
         );
     }
 
+    /// A sum of two coordinates that is to be 1; a third that no residual knows.
+    struct Tie;
+
+    impl LeastSquares for Tie {
+        type Point = [f64; 3];
+
+        fn room(&self, point: &[f64; 3]) -> Vec<[f64; 2]> {
+            point.map(|x| [-x, 1.0 - x]).to_vec()
+        }
+
+        fn moved(&self, point: &[f64; 3], by: &[f64]) -> Result<[f64; 3], Diagnostic> {
+            Ok([0, 1, 2].map(|i| (point[i] + by[i]).clamp(0.0, 1.0)))
+        }
+
+        fn residuals(&self, point: &[f64; 3]) -> Result<Vec<f64>, Diagnostic> {
+            Ok(vec![point[0] + point[1] - 1.0])
+        }
+
+        fn patience(&self) -> usize {
+            4
+        }
+    }
+
+    /// Ties go to what was there: nothing moves that the goals do not ask for.
+    #[test]
+    fn what_the_goals_cannot_tell_stays() {
+        let until = StopRule { steps: 50, error: 0.0 };
+        let from = |start| descend(&Tie, start, until, &Progress::new()).unwrap().point;
+        assert_eq!(from([0.25, 0.75, 0.3]), [0.25, 0.75, 0.3], "what is met already stays");
+        let [a, b, unseen] = from([0.2, 0.4, 0.3]);
+        assert_eq!(unseen, 0.3);
+        // Of all points that are equally good the one that is near to the beginning is taken.
+        assert!((a - 0.4).abs() < 0.02 && (b - 0.6).abs() < 0.02, "{a} and {b}");
+    }
+
     #[test]
     fn once_it_is_stopped_it_stays_where_it_is() {
         let progress = Progress::new();

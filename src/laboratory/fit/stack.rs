@@ -86,7 +86,8 @@ impl Search {
             LightingModel::Diffuse => 0,
             LightingModel::Specular => 1,
         };
-        self.surface.iter().map(|directions| lit.tone(directions[which])).collect()
+        let tone = lit.tone();
+        self.surface.iter().map(|directions| tone(directions[which])).collect()
     }
 
     /// The layers with their tones at this search's pixels.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::catalog::{Catalog, values};
 use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::document::{Edit, GraphId, Look, Target, Value};
-use crate::ids::{NodeId, NodePath, PortName};
+use crate::ids::{NodePath, PortName};
 use crate::library::{Library, PassId, Type};
 use crate::progress::Progress;
 
@@ -17,21 +17,30 @@ const MOST_TRIALS: usize = 120;
 /// Value that passes are needed for.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct CauseValue {
-    pub(super) node: NodeId,
-    pub(super) port: PortName,
+    /// Graph that the value lies in.
+    graph: GraphId,
+    /// Node that has the value; of a group that is used several times, in the first of its nodes.
+    node: NodePath,
+    port: PortName,
     /// The value as it is.
     pub(super) now: Value,
 }
 
 impl CauseValue {
+    /// Input that has the value.
+    pub(super) fn target(&self) -> Target {
+        Target::Input { node: self.node.clone(), port: self.port.clone() }
+    }
+
     /// Edit that takes the value away.
-    fn neutral(&self) -> Edit {
+    fn neutral(&self) -> Option<Edit> {
         let value = match self.now {
             Value::Bool(_) => Value::Bool(false),
             _ => Value::Number(0.0),
         };
-        let (id, port) = (self.node.clone(), self.port.clone());
-        Edit::SetValue { graph: GraphId::Look, id, port, value, index: None }
+        let (graph, port) = (self.graph.clone(), self.port.clone());
+        let id = self.node.last()?.clone();
+        Some(Edit::SetValue { graph, id, port, value, index: None })
     }
 }
 
@@ -46,7 +55,7 @@ pub(super) struct PassCause {
 impl PassCause {
     /// Edit that takes the values away, and the passes with them.
     pub(super) fn cure(&self) -> Edit {
-        let mut edits: Vec<Edit> = self.values.iter().map(CauseValue::neutral).collect();
+        let mut edits: Vec<Edit> = self.values.iter().filter_map(CauseValue::neutral).collect();
         if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
     }
 }
@@ -121,7 +130,7 @@ impl Trials<'_> {
         self.request.progress.check().ok()?;
         let mut look = (*self.request.look).clone();
         for value in without {
-            look.apply(value.neutral()).ok()?;
+            look.apply(value.neutral()?).ok()?;
         }
         let options =
             CompileOptions { live: Live::Keyed, display: true, ..CompileOptions::default() };
@@ -136,8 +145,7 @@ impl Trials<'_> {
         all: &BTreeSet<PassId>,
     ) -> Option<Vec<PassId>> {
         let shader = self.compiled(without)?;
-        let lives = |id: &NodeId| shader.spans.nodes().any(|path| path.outermost() == Some(id));
-        if !without.iter().all(|value| lives(&value.node)) {
+        if !without.iter().all(|value| lives(&shader, &value.node)) {
             return None;
         }
         let left = passes_of(&shader);
@@ -162,38 +170,65 @@ fn candidates(request: &CauseRequest, shader: &CompiledShader) -> Vec<CauseValue
     let look = &*request.look;
     let mut catalog = Catalog::new(&request.library);
     catalog.sync(look, &request.library);
-    let live: BTreeSet<&NodeId> =
-        shader.spans.nodes().filter_map(|path| path.outermost()).collect();
-    let nodes = look.graph.nodes.iter().filter(|(id, node)| live.contains(id) && !node.muted);
     let mut found = Vec::new();
-    for (id, node) in nodes {
-        let Some(kind) = catalog.of(node) else { continue };
-        for port in &kind.inputs {
-            let is_free = look.graph.wire_into(id, &port.name).is_none();
-            let own = node.values.get(&port.name);
-            let Some(now) = values::current(port, own).filter(|_| is_free) else { continue };
-            let counts = match (now, &port.ty) {
-                (Value::Number(number), Type::Float) => *number != 0.0,
-                (Value::Bool(is_on), Type::Bool) => *is_on,
-                _ => false,
-            };
-            if counts && !is_keyed(look, id, &port.name) {
-                let (node, port) = (id.clone(), port.name.clone());
-                found.push(CauseValue { node, port, now: now.clone() });
+    for (graph, at) in graphs(look) {
+        let Some(here) = look.graph_of(&graph) else { continue };
+        for (id, node) in here.nodes.iter().filter(|(_, node)| !node.muted) {
+            let path = at.join(id.clone());
+            let Some(kind) = catalog.of(node).filter(|_| lives(shader, &path)) else { continue };
+            for port in &kind.inputs {
+                let is_free = here.wire_into(id, &port.name).is_none();
+                let own = node.values.get(&port.name);
+                let Some(now) = values::current(port, own).filter(|_| is_free) else { continue };
+                let counts = match (now, &port.ty) {
+                    (Value::Number(number), Type::Float) => *number != 0.0,
+                    (Value::Bool(is_on), Type::Bool) => *is_on,
+                    _ => false,
+                };
+                let (graph, node, port) = (graph.clone(), path.clone(), port.name.clone());
+                let value = CauseValue { graph, node, port, now: now.clone() };
+                if counts && !is_keyed(look, &value.target()) {
+                    found.push(value);
+                }
             }
         }
     }
     found
 }
 
+/// The look's own graph, and those of its groups that are used, each with the path of the first
+/// node that is one.
+fn graphs(look: &Look) -> Vec<(GraphId, NodePath)> {
+    let mut found = vec![(GraphId::Look, NodePath::default())];
+    let mut next = 0;
+    while let Some((graph, at)) = found.get(next).cloned() {
+        next += 1;
+        let Some(graph) = look.graph_of(&graph) else { continue };
+        for (id, node) in graph.nodes.iter().filter(|(_, node)| !node.muted) {
+            let Some((group, _)) = look.definitions.get_key_value(node.kind.as_str()) else {
+                continue;
+            };
+            let group = GraphId::Definition(group.clone());
+            if found.iter().all(|(known, _)| *known != group) {
+                found.push((group, at.join(id.clone())));
+            }
+        }
+    }
+    found
+}
+
+/// True if anything of a node is left in the shader.
+fn lives(shader: &CompiledShader, node: &NodePath) -> bool {
+    shader.spans.spans_of(node).next().is_some()
+}
+
 /// True if keys move a value: to set it would change a key alone.
-fn is_keyed(look: &Look, id: &NodeId, port: &PortName) -> bool {
-    let target = Target::Input { node: NodePath::root(id.clone()), port: port.clone() };
-    look.time_keys.iter().any(|track| track.target == target)
+fn is_keyed(look: &Look, target: &Target) -> bool {
+    look.time_keys.iter().any(|track| track.target == *target)
         || look
             .direction_keys
             .iter()
-            .any(|set| set.keys.iter().any(|key| key.values.contains_key(&target)))
+            .any(|set| set.keys.iter().any(|key| key.values.contains_key(target)))
 }
 
 #[cfg(test)]
@@ -246,5 +281,36 @@ mod tests {
         let mut cured = look.clone();
         cured.apply(causes[0].cure()).unwrap();
         assert_eq!(cured.graph, Look::read(&layers([0.0, 0.0]), "test").value.unwrap().graph);
+    }
+
+    /// A layer in a group that lies in another.
+    #[test]
+    fn a_value_inside_of_groups_is_found_and_taken_away_there() {
+        let group = |kind: &str, values: &str| {
+            format!(
+                r##"{{"inputs": [{{"name": "below"}}], "outputs": [{{"name": "below"}}],
+                "nodes": [{{"id": "inner", "kind": "{kind}", "values": {{{values}}}}}],
+                "wires": [{{"from": "inputs.below", "to": "inner.below"}},
+                          {{"from": "inner.below", "to": "outputs.below"}}]}}"##
+            )
+        };
+        let layer = r##""light": "key", "slope": 0.2, "convex": "#ff0000", "concave": "#0000ff""##;
+        let text = format!(
+            r#"{{"lights": {{"key": {{"direction": [0, 0, 1]}}}},
+            "definitions": {{"rim": {}, "around": {}}},
+            "nodes": [{{"id": "base", "kind": "base"}}, {{"id": "one", "kind": "around"}},
+                      {{"id": "output", "kind": "output"}}],
+            "wires": [{{"from": "base", "to": "one.below"}},
+                      {{"from": "one.below", "to": "output.color"}}]}}"#,
+            group("light_layer", layer),
+            group("rim", "")
+        );
+        let causes = found(&text);
+        let named: Vec<Vec<String>> = causes.iter().map(names).collect();
+        assert_eq!(named, [["one/inner/inner.slope"]], "{causes:?}");
+        let mut look = Look::read(&text, "test").value.unwrap();
+        look.apply(causes[0].cure()).unwrap();
+        let slope = look.definitions["rim"].graph.nodes["inner"].values.get("slope");
+        assert_eq!(slope, Some(&Value::Number(0.0)));
     }
 }

@@ -1,7 +1,7 @@
 //! Cost of the picture as it was just drawn, with the causes of its passes; and on request measured
-//! time and error of the look and of each of its nodes, in each tier, in the background: the whole
-//! look at once, in a few drawings, then all of it. A click on a tier adopts it. Counted operations
-//! are in `panels::effects`.
+//! time and error of the look and of each of its nodes, in each tier, in the background: the look as
+//! it is set at once, in three drawings, then its tiers, then all of it. A click on a tier adopts
+//! it. Counted operations are in `panels::effects`.
 
 mod causes;
 mod now;
@@ -11,12 +11,15 @@ mod plot;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use crate::accuracy::cost::alternate;
 use crate::accuracy::{
-    BenchOptions, BenchReport, MeasuredNodes, MeasurementRow, MeasurementSubject, bench,
+    BenchOptions, BenchReport, MeasureError, MeasuredNodes, MeasuredTier, MeasurementRow,
+    MeasurementSubject, Series, bench,
 };
+use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, GraphId, Look, Tier};
-use crate::frame::{Assets, PlanOptions};
+use crate::frame::{Assets, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::progress::{Interruption, Progress};
 use crate::render::{Gpu, Renderer};
@@ -30,20 +33,43 @@ pub(super) use panel::PANEL;
 /// Number of times that each variant is drawn: enough for a confidence interval, without a long
 /// wait.
 const ROUNDS: usize = 15;
-/// Number of times that each tier of the look is drawn for the first answer.
+/// Number of times that each tier of the look is drawn for the second answer.
 const QUICK_ROUNDS: usize = 3;
+/// Number of times that the look is drawn for the first answer, once it is warm.
+const FIRST_ROUNDS: usize = 1;
 
+/// Extent of a measurement: each is followed by the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum MeasureStage {
+    /// The time of the look as it is set.
+    AsSet,
+    /// The time of the look in each tier.
+    Tiers,
+    /// Time and error of the look and of its nodes.
+    All,
+}
+
+impl MeasureStage {
+    fn next(self) -> Option<Self> {
+        match self {
+            Self::AsSet => Some(Self::Tiers),
+            Self::Tiers => Some(Self::All),
+            Self::All => None,
+        }
+    }
+}
+
+#[derive(Clone)]
 struct MeasureRequest {
     snapshot: RenderSnapshot,
     size: [u32; 2],
     progress: Progress,
-    /// True for the first answer: the time of the whole look, and no more.
-    is_quick: bool,
+    stage: MeasureStage,
 }
 
 struct Measurement {
     of: CostSubject,
-    is_quick: bool,
+    stage: MeasureStage,
     result: Result<BenchReport, Vec<Diagnostic>>,
 }
 
@@ -77,8 +103,8 @@ pub struct Cost {
     subject: MeasurementSubject,
     /// True if the last measurement still holds, with the revision that this was found for.
     is_current: (Option<(DocumentNumber, LookRevision)>, bool),
-    /// Request for the whole measurement, once the first answer is there.
-    next: Option<MeasureRequest>,
+    /// Request that is worked at, for the next stage to follow.
+    asked: Option<MeasureRequest>,
     /// Thread that finds the causes of passes, for revisions of the look.
     causer: Worker<(CausesOf, CauseRequest), (CausesOf, Vec<PassCause>)>,
     cause_search: Progress,
@@ -104,7 +130,7 @@ impl Cost {
             cause_search: Progress::new(),
             causes: Vec::new(),
             causes_of: None,
-            next: None,
+            asked: None,
             worker: gpu.map(start),
             progress: Progress::new(),
             wake: Arc::new(wake),
@@ -138,32 +164,29 @@ impl Cost {
 
     fn start(&mut self, session: &Session, size: [u32; 2]) {
         self.stop();
-        let wake = self.wake.clone();
-        let woken = self.wake.clone();
-        self.progress = Progress::observed(move |_| woken());
         // In a scene only the figures of the open look are asked for, as only its tiers can be
         // chosen.
         let snapshot = session.snapshot_of(Arc::new(session.look().clone())).alone();
-        let progress = Progress::observed(move |_| wake());
-        self.next =
-            Some(MeasureRequest { snapshot: snapshot.clone(), size, progress, is_quick: false });
-        let progress = self.progress.clone();
-        self.measure(MeasureRequest { snapshot, size, progress, is_quick: true });
+        self.measure(snapshot, size, MeasureStage::AsSet);
     }
 
     fn is_measuring(&self) -> bool {
         self.worker.as_ref().is_some_and(Worker::is_busy)
     }
 
-    fn measure(&self, job: MeasureRequest) {
+    fn measure(&mut self, snapshot: RenderSnapshot, size: [u32; 2], stage: MeasureStage) {
+        let wake = self.wake.clone();
+        self.progress = Progress::observed(move |_| wake());
+        let request = MeasureRequest { snapshot, size, progress: self.progress.clone(), stage };
+        self.asked = Some(request.clone());
         if let Some(worker) = &self.worker {
-            worker.request(|_| job);
+            worker.request(|_| request);
         }
     }
 
     fn stop(&mut self) {
         self.progress.stop();
-        self.next = None;
+        self.asked = None;
     }
 
     /// Takes a finished measurement, and finds out whether the last one still holds.
@@ -175,15 +198,13 @@ impl Cost {
             if is_stopped {
                 continue;
             }
-            // The whole measurement follows the first answer.
-            let next = self.next.take_if(|_| done.is_quick && done.result.is_ok());
-            if let Some(next) = next {
-                self.progress = next.progress.clone();
-                self.measure(next);
+            let next = done.stage.next().filter(|_| done.result.is_ok());
+            if let (Some(stage), Some(asked)) = (next, self.asked.take()) {
+                self.measure(asked.snapshot, asked.size, stage);
             }
-            // Figures of all of it stay until they are measured again.
+            // Figures of more stay until they are measured again.
             let stays = |known: &Measurement| {
-                done.is_quick && !known.is_quick && known.result.is_ok() && known.of == done.of
+                done.stage < known.stage && known.result.is_ok() && known.of == done.of
             };
             if !self.done.as_ref().is_some_and(stays) {
                 self.done = Some(done);
@@ -266,17 +287,14 @@ async fn measure(
     let mut run = async || {
         let setup = job.snapshot.setup(&mut Assets::of(&job.snapshot.assets))?.value;
         let plan = PlanOptions { size: job.size, samples: 1, time: job.snapshot.time };
-        let options = match job.is_quick {
-            true => BenchOptions {
-                plan,
-                rounds: QUICK_ROUNDS,
-                nodes: MeasuredNodes::None,
-                truth: false,
-            },
-            false => {
-                BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true }
+        let (rounds, nodes, truth) = match job.stage {
+            MeasureStage::AsSet => {
+                return measure_as_set(&setup, renderer, plan, job).await.map_err(Vec::from);
             }
+            MeasureStage::Tiers => (QUICK_ROUNDS, MeasuredNodes::None, false),
+            MeasureStage::All => (ROUNDS, MeasuredNodes::Tiered, true),
         };
+        let options = BenchOptions { plan, rounds, nodes, truth };
         bench(&setup, &job.snapshot.library, renderer, &options, &job.progress)
             .await
             .map_err(Vec::from)
@@ -284,5 +302,31 @@ async fn measure(
     let result = run().await;
     let scene = job.snapshot.scene.as_ref().map(|scene| scene.revision());
     let of = CostSubject::of(&job.snapshot.look, &job.snapshot.orbit.mesh, scene);
-    Measurement { of, is_quick: job.is_quick, result }
+    Measurement { of, stage: job.stage, result }
+}
+
+/// Measures the time of the look as it is set, and nothing else.
+async fn measure_as_set(
+    setup: &Setup,
+    renderer: &mut Renderer,
+    options: PlanOptions,
+    job: &MeasureRequest,
+) -> Result<BenchReport, MeasureError> {
+    let library = &job.snapshot.library;
+    let plan = Planner::default().plan(setup, library, &Live::Keyed, &options)?.value;
+    job.progress.expect((FIRST_ROUNDS + 2) as u64);
+    let series = alternate(renderer, &[&plan], FIRST_ROUNDS, &job.progress).await?;
+    let time = series.first().map(Series::estimate).unwrap_or_default();
+    let (subject, tier) = (MeasurementSubject::Whole, MeasuredTier::AsSet);
+    let row = MeasurementRow { subject, tier, time, sizes: None, error: None };
+    let gpu = renderer.gpu();
+    Ok(BenchReport {
+        adapter: gpu.name(),
+        is_software: gpu.is_software(),
+        has_timestamps: gpu.has_timestamps(),
+        size: options.size,
+        samples: options.samples,
+        rounds: FIRST_ROUNDS,
+        rows: vec![row],
+    })
 }

@@ -10,8 +10,7 @@ use super::Cost;
 use super::causes::{CauseRequest, CauseValue, PassCause};
 use crate::catalog::values;
 use crate::commands::Command;
-use crate::document::Target;
-use crate::ids::{NodeId, NodePath};
+use crate::ids::NodeId;
 use crate::progress::Progress;
 use crate::state::picture_cost::{PictureCost, time_text};
 use crate::state::session::Session;
@@ -119,8 +118,7 @@ fn cost_text(names: &[String], passes: &[&str]) -> String {
 /// A value in words: "this slope of 0.2" is "Shape slope 0.2 of Rim".
 fn name(session: &Session, value: &CauseValue) -> String {
     let look = session.look_with_library();
-    let node = NodePath::root(value.node.clone());
-    let target = Target::Input { node, port: value.port.clone() };
+    let target = value.target();
     let [owner, label] = look.names_of(&target);
     let now = look.port_at(&target).map(|port| values::short(&port, &value.now));
     tr!("{label} {value} of {owner}", value = now.unwrap_or_default())

@@ -127,7 +127,7 @@ impl Cost {
                 if ui.button(tr!("Stop")).clicked() {
                     self.stop();
                 }
-                return;
+                return this_picture(ui, cost);
             }
             let help =
                 tr!("Draws the look and each of its nodes in each tier, and holds them against \
@@ -135,10 +135,7 @@ impl Cost {
             if ui.button(tr!("Measure")).on_hover_text(help).clicked() {
                 self.start(session, size);
             }
-            if let Some(cost) = cost.filter(|cost| !cost.passes.is_empty()) {
-                ui.label(tr!("This picture: {cost}", cost = cost.short()))
-                    .on_hover_text(now::TIMED.tr());
-            }
+            this_picture(ui, cost);
             let Some(report) = self.report() else { return };
             if !self.is_current.1 {
                 let help = tr!("The look was changed since, by more than its tiers");
@@ -161,6 +158,13 @@ impl Cost {
                 .on_hover_text(told);
         });
         ui.add_space(2.0);
+    }
+}
+
+/// Shows what the picture cost that was drawn last.
+fn this_picture(ui: &mut Ui, cost: Option<&PictureCost>) {
+    if let Some(cost) = cost.filter(|cost| !cost.passes.is_empty()) {
+        ui.label(tr!("This picture: {cost}", cost = cost.short())).on_hover_text(now::TIMED.tr());
     }
 }
 

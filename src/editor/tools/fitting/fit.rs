@@ -45,10 +45,18 @@ const LEAST_GAIN: f64 = 0.05 / 255.0;
 /// Message on a fit that was stopped before it gained anything.
 const STOPPED: Text = text!("The fit was stopped before it came nearer: the look is as it was");
 
+/// Steps of a whole fit, and those of its first proposal.
+const STEPS: [u64; 2] = [10, 2];
+
 pub(super) struct FitRun {
     pub(super) of: FittedState,
     pub(super) strokes: Strokes,
+    /// Progress of all of it.
     pub(super) progress: Progress,
+    /// Progress of the request that is worked at.
+    part: Progress,
+    /// Request for the fit that was asked for, while a smaller one makes the first proposal.
+    next: Option<FitRequest>,
 }
 
 /// Result of a fit.
@@ -90,6 +98,7 @@ impl FitTool {
         let target = FitTarget { size: ground.size, goals: painted };
         let wake = self.wake.clone();
         let progress = Progress::observed(move |_| wake());
+        progress.begin(STEPS[0]);
         let keep = if what == FitGoal::ThisLook { self.how.keep } else { KeptParts::default() };
         let options = FitOptions {
             time: session.view.time,
@@ -99,10 +108,22 @@ impl FitTool {
             enough: ENOUGH,
         };
         let snapshot = session.snapshot_of(Arc::new(session.look().clone()));
+        let first = first_of(what, self.how.starts);
+        let steps = STEPS[0] - first.map_or(0, |_| STEPS[1]);
+        let whole = FitRequest { what, snapshot, target, options, progress: progress.part(steps) };
+        let (request, next) = match first {
+            Some((what, starts)) => {
+                let options = FitOptions { starts, ..options };
+                let (snapshot, target) = (whole.snapshot.clone(), whole.target.clone());
+                let progress = progress.part(STEPS[1]);
+                (FitRequest { what, snapshot, target, options, progress }, Some(whole))
+            }
+            None => (whole, None),
+        };
         self.outcome = None;
-        let strokes = Strokes::of(session);
-        self.running = Some(FitRun { of: of(session), strokes, progress: progress.clone() });
-        self.fitter.request(|_| FitRequest { what, snapshot, target, options, progress });
+        let (of, strokes, part) = (of(session), Strokes::of(session), request.progress.clone());
+        self.running = Some(FitRun { of, strokes, progress, part, next });
+        self.fitter.request(|_| request);
         Ok(())
     }
 
@@ -110,7 +131,10 @@ impl FitTool {
     /// that result too.
     pub(crate) fn stop(&mut self) {
         let Some(running) = &self.running else { return };
-        if running.progress.is_stopped() {
+        if self.awaits() {
+            self.give_up();
+            self.told = Some(tr!("Stopped: this is the best so far").to_owned());
+        } else if running.progress.is_stopped() {
             self.give_up();
             self.told = Some(STOPPED.tr().to_owned());
         } else {
@@ -129,48 +153,64 @@ impl FitTool {
     /// Takes a finished fit. Returns the look to show in place of the open one, if any.
     pub(super) fn take(&mut self, done: FitResult, session: &Session) -> Option<Arc<Look>> {
         // A result that was given up, or that is of another look, is dropped.
-        if !self.running.as_ref().is_some_and(|running| running.progress.is_same(&done.progress)) {
+        let running = self.running.take_if(|running| running.part.is_same(&done.progress))?;
+        if running.of != of(session) {
+            self.told = Some(tr!("The look was changed while it was fitted: fit again").to_owned());
             return None;
         }
-        let running = self.running.take();
-        match done.result {
-            Err(problems) => self.told = Some(why(&problems)),
-            Ok(_) if running.is_some_and(|running| running.of != of(session)) => {
-                self.told =
-                    Some(tr!("The look was changed while it was fitted: fit again").to_owned());
+        let fitted = match done.result {
+            Ok(fitted) => fitted,
+            Err(_) if self.awaits() => return None,
+            Err(problems) => {
+                self.told = Some(why(&problems));
+                return None;
             }
-            Ok(fitted)
-                if done.what == FitGoal::Local
-                    && (fitted.look == *done.look || gains_nothing(&fitted.report)) =>
-            {
-                self.told = Some(
-                    tr!("No light of its own brings it nearer where you painted: paint larger \
-                         spots, or fit the whole look")
-                    .to_owned(),
-                );
-            }
-            Ok(fitted) if fitted.look == *done.look || gains_nothing(&fitted.report) => {
-                let tried = told_of(&fitted.report.tried);
-                let help = self.advice(done.what, &fitted.report);
-                self.told = Some(tr!(
-                    "Nothing was turned: {tried} of this look bring it no nearer to the strokes. \
-                     {help}"
-                ));
-            }
-            Ok(FittedLook { look, edit, report, .. }) => {
-                self.told =
-                    report.is_stopped.then(|| tr!("Stopped: this is the best so far").to_owned());
-                let strokes = Strokes::of(session);
-                self.outcome =
-                    Some(FitOutcome { what: done.what, strokes, edit, report, applied: None });
-                return Some(Arc::new(look));
-            }
+        };
+        let is_stopped = running.progress.is_stopped();
+        let goes_on = !is_stopped && self.go_on(running);
+        let is_found = fitted.look != *done.look && !gains_nothing(&fitted.report);
+        if !is_found && !goes_on && !self.awaits() {
+            self.told = Some(self.nothing_found(done.what, &fitted.report));
         }
-        None
+        // Of two that are equally near the first proposal stays.
+        let shown = self.outcome.as_ref().map(|shown| &shown.report);
+        if !is_found || !shown.is_none_or(|shown| is_nearer(&fitted.report, shown)) {
+            return None;
+        }
+        let FittedLook { look, edit, report, .. } = fitted;
+        self.told = is_stopped.then(|| tr!("Stopped: this is the best so far").to_owned());
+        let strokes = Strokes::of(session);
+        self.outcome = Some(FitOutcome { what: done.what, strokes, edit, report, applied: None });
+        Some(Arc::new(look))
     }
 
-    /// Applies the fit: returns its edit, one step.
+    /// Begins the fit that was asked for, after its first proposal; false if that was all.
+    fn go_on(&mut self, mut running: FitRun) -> bool {
+        let Some(next) = running.next.take() else { return false };
+        running.part = next.progress.clone();
+        self.running = Some(running);
+        self.fitter.request(|_| next);
+        true
+    }
+
+    /// Message on a fit that found nothing.
+    fn nothing_found(&self, what: FitGoal, report: &FitReport) -> String {
+        if what == FitGoal::Local {
+            return tr!(
+                "No light of its own brings it nearer where you painted: paint larger spots, or \
+                 fit the whole look"
+            )
+            .to_owned();
+        }
+        let (tried, help) = (told_of(&report.tried), self.advice(what, report));
+        tr!("Nothing was turned: {tried} of this look bring it no nearer to the strokes. {help}")
+    }
+
+    /// Applies the fit: returns its edit, one step. A search for a nearer one ends.
     pub(crate) fn take_on(&mut self, session: &Session) -> Option<Edit> {
+        if self.awaits() {
+            self.give_up();
+        }
         let outcome = self.outcome.as_mut().filter(|outcome| outcome.applied.is_none())?;
         outcome.applied = Some(of(session));
         self.told = None;
@@ -184,8 +224,9 @@ impl FitTool {
         }
     }
 
-    /// Discards the fit.
+    /// Discards the fit, and ends a search for a nearer one.
     pub(crate) fn discard(&mut self) -> Vec<Command> {
+        self.give_up();
         self.outcome = self.outcome.take().filter(|outcome| outcome.applied.is_some());
         self.told = None;
         vec![super::preview(None)]
@@ -195,6 +236,23 @@ impl FitTool {
 /// State of the open look.
 pub(super) fn of(session: &Session) -> FittedState {
     (session.revisions().document, session.revision(), session.scene_revision())
+}
+
+/// Smaller fit that makes a first proposal within seconds, where the fit that is asked for takes
+/// several times as long: its goal, and the number of starting points.
+fn first_of(what: FitGoal, starts: usize) -> Option<(FitGoal, usize)> {
+    match what {
+        FitGoal::ThisLook if starts > 2 => Some((what, 1)),
+        FitGoal::Layers(count) if count > 1 => Some((FitGoal::Layers(1), starts)),
+        FitGoal::Local | FitGoal::ThisLook | FitGoal::Layers(_) => None,
+    }
+}
+
+/// True if a result is nearer than the one that is shown, at the strokes or at the rest.
+fn is_nearer(found: &FitReport, shown: &FitReport) -> bool {
+    let gains = |was: f64, is: f64| was - is >= LEAST_GAIN;
+    gains(shown.after, found.after)
+        || shown.rest.zip(found.rest).is_some_and(|(was, is)| gains(was, is))
 }
 
 /// True if a complete search gained less than anybody sees.
@@ -221,5 +279,48 @@ fn why(problems: &[Diagnostic]) -> String {
             tr!("No stroke lies well inside of an object that wears this look").to_owned()
         }
         _ => sentence(first),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::KnobCounts;
+
+    fn report(after: f64, rest: Option<f64>) -> FitReport {
+        FitReport {
+            painted: 40,
+            compared: 40,
+            places: 9,
+            turned: 3,
+            tried: KnobCounts::default(),
+            kept: KnobCounts::default(),
+            before: 0.3,
+            after,
+            rest,
+            is_stopped: false,
+            changed: Vec::new(),
+            worst: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn what_is_no_nearer_leaves_the_first_proposal() {
+        let shown = report(0.1, Some(0.05));
+        assert!(!is_nearer(&report(0.1, Some(0.05)), &shown));
+        assert!(!is_nearer(&report(0.12, Some(0.06)), &shown));
+        assert!(is_nearer(&report(0.08, Some(0.05)), &shown));
+        assert!(is_nearer(&report(0.1, Some(0.04)), &shown));
+        assert!(!is_nearer(&report(0.1, None), &report(0.1, None)));
+    }
+
+    #[test]
+    fn what_takes_long_begins_with_a_smaller_fit() {
+        assert_eq!(first_of(FitGoal::Local, 10), None);
+        assert_eq!(first_of(FitGoal::ThisLook, 10), Some((FitGoal::ThisLook, 1)));
+        assert_eq!(first_of(FitGoal::Layers(3), 10), Some((FitGoal::Layers(1), 10)));
+        for quick in [(FitGoal::ThisLook, 2), (FitGoal::Layers(1), 10)] {
+            assert_eq!(first_of(quick.0, quick.1), None);
+        }
     }
 }

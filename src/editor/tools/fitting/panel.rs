@@ -43,7 +43,7 @@ impl FitTool {
             self.painted_row(ui, session, &mut out);
             ui.separator();
             // A result that waits for a decision comes first, and hides the other choices.
-            if !self.awaits() {
+            if !self.awaits() || self.running.is_some() {
                 self.fit_row(ui, &mut out);
             }
             if let Some(told) = &self.told {
@@ -193,10 +193,15 @@ impl FitTool {
                 if ui.button(tr!("Stop")).on_hover_text(help).clicked() {
                     out.push(Command::Fit(FitCommand::Stop));
                 }
-                ui.add(
-                    ProgressBar::new(share)
-                        .text(tr!("fitting, {percent:.0} %", percent = 100.0 * share)),
-                );
+                let percent = 100.0 * share;
+                let text = match self.awaits() {
+                    true => tr!("looking for a nearer one, {percent:.0} %"),
+                    false => tr!("fitting, {percent:.0} %"),
+                };
+                ui.add(ProgressBar::new(share).text(text)).on_hover_text(tr!(
+                    "It draws the picture in full precision and compiles the look; then it tries \
+                     lights, profiles and colors at the painted pixels"
+                ));
             });
             return;
         }
