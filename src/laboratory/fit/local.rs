@@ -7,8 +7,8 @@
 //! layer that hardly helps is not laid.
 //!
 //! The reference draws the picture twice, for the ground and for the result, and the surface twice,
-//! for normals and positions. The search evaluates formulas, and takes about as long as the result's
-//! picture.
+//! for normals and positions. The search evaluates formulas, and takes about as long as the
+//! result's picture.
 
 use std::collections::{HashMap, HashSet};
 
