@@ -7,7 +7,9 @@ mod strokes;
 use chiaro::clock::Clock;
 use chiaro::compile::Live;
 use chiaro::document::{Look, Ramp, Value};
-use chiaro::fit::{FitOptions, FitTarget, FittedLook, KeptParts, fit_layers, fit_local, fit_look};
+use chiaro::fit::{
+    FitOptions, FitReport, FitTarget, FittedLook, KeptParts, fit_layers, fit_local, fit_look,
+};
 use chiaro::frame::{Assets, Picture, PlanOptions, Planner, Setup, Stage};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
@@ -366,7 +368,10 @@ fn strokes_on_a_bumpy_body_are_met_at_their_places_and_more_of_them_move_the_res
         let fitted = local(&look, mesh, &strokes);
         let [before, ..] = strokes::off(&strokes, &look, mesh);
         let [after, rest, _] = strokes::off(&strokes, &fitted.look, mesh);
-        assert!(after < 0.7 * before, "{after} from {before}");
+        let FitReport { before: was, after: is, .. } = fitted.report;
+        assert!(is < 0.5 * was, "{is} from {was}");
+        // Pixels at the outline, which no fit looks at, are painted too.
+        assert!(after < 0.8 * before, "{after} from {before}");
         assert!(rest < 8.0 / 255.0, "the rest stays: {rest}");
         let is_placed = |node: &chiaro::document::Node| node.kind == "nearby";
         assert!(fitted.look.graph.nodes.values().any(is_placed), "{:?}", fitted.report.changed);

@@ -7,8 +7,8 @@
 //! layer that hardly helps is not laid.
 //!
 //! The reference draws the picture twice, for the ground and for the result, and the surface twice,
-//! for normals and positions. That and compiling these four bound the time, not the search, which
-//! evaluates formulas.
+//! for normals and positions. The search evaluates formulas, and takes about as long as the
+//! result's picture.
 
 use std::collections::{HashMap, HashSet};
 
@@ -70,12 +70,12 @@ pub fn fit_local(
     for _ in 0..MOST_LAYERS {
         let found = next_layer(&samples, progress).map_err(|one| vec![one])?;
         progress.add(1);
-        let Some((layer, color, covered)) = found else { break };
-        if error(&covered) > (1.0 - LEAST_GAIN) * error(&samples) || progress.is_stopped() {
+        let Some(laid) = found else { break };
+        if error(&laid.samples) > (1.0 - LEAST_GAIN) * error(&samples) || progress.is_stopped() {
             break;
         }
-        samples = covered;
-        layers.push((layer, color));
+        samples = laid.samples;
+        layers.push((laid.layer, laid.color));
     }
     let mut fitted = laid_over(given_look, &top, &layers, setup);
     let worn = wearing(&shot, fitted.clone());

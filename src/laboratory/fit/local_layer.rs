@@ -77,6 +77,16 @@ impl LocalLayer {
     }
 }
 
+/// A layer with its color, and the picture that it makes.
+#[derive(Clone, Debug)]
+pub(super) struct LaidLayer {
+    pub(super) layer: LocalLayer,
+    /// Straight RGB, in the look's space.
+    pub(super) color: [f64; 3],
+    /// The samples with the layer over them.
+    pub(super) samples: Vec<PaintedSample>,
+}
+
 /// A pixel with its surface, the color below the next layer, and its goal; colors are in the look's
 /// space.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +157,7 @@ fn covered<'s>(
     (color, samples.iter().zip(tones).map(move |(sample, tone)| sample.covered(tone, color)))
 }
 
-/// The next layer with its color, and the samples with it; `None` where nothing helps, or where
+/// The next layer over the samples; `None` where nothing helps, or where
 /// whatever helps moves the rest too far.
 ///
 /// # Errors
@@ -155,7 +165,7 @@ fn covered<'s>(
 pub(super) fn next_layer(
     samples: &[PaintedSample],
     progress: &Progress,
-) -> Result<Option<(LocalLayer, [f64; 3], Vec<PaintedSample>)>, Diagnostic> {
+) -> Result<Option<LaidLayer>, Diagnostic> {
     for by in HEAVIER {
         let held: Vec<PaintedSample> = samples.iter().map(|sample| sample.held(by)).collect();
         let Some(layer) = nearest_layer(&held, progress)? else { return Ok(None) };
@@ -166,7 +176,7 @@ pub(super) fn next_layer(
         };
         let covered: Vec<PaintedSample> = covered.zip(samples).map(own).collect();
         if rest_moved(&covered) <= REST_MOVED {
-            return Ok(Some((layer, color, covered)));
+            return Ok(Some(LaidLayer { layer, color, samples: covered }));
         }
         if progress.is_stopped() {
             break;
@@ -340,8 +350,8 @@ mod tests {
     /// Spots of a ball, each with a direction and the cosine that it extends to.
     type Spots<'a> = &'a [(DVec3, f64)];
 
-    /// A gray body of which one side of `all` points is a ball, painted at some spots; `copies`
-    /// balls lie beside each other, of which the first is painted.
+    /// Gray balls beside each other, as many as `copies`, of which the first is painted at some
+    /// spots.
     fn balls(spots: Spots<'_>, copies: usize) -> Vec<PaintedSample> {
         let even = super::super::state::even_directions(600);
         let sample = |(copy, direction): (usize, DVec3)| {
@@ -364,11 +374,9 @@ mod tests {
     fn lit(samples: Vec<PaintedSample>) -> (Vec<LocalLayer>, Vec<PaintedSample>) {
         let (mut samples, mut layers) = (samples, Vec::new());
         for _ in 0..3 {
-            let Some((layer, _, covered)) = next_layer(&samples, &Progress::new()).unwrap() else {
-                break;
-            };
-            layers.push(layer);
-            samples = covered;
+            let Some(laid) = next_layer(&samples, &Progress::new()).unwrap() else { break };
+            layers.push(laid.layer);
+            samples = laid.samples;
         }
         (layers, samples)
     }
@@ -376,7 +384,8 @@ mod tests {
     #[test]
     fn a_layer_lies_where_it_was_painted_and_nowhere_else() {
         let samples = balls(&[(around(), 0.85)], 1);
-        let (layer, color, covered) = next_layer(&samples, &Progress::new()).unwrap().unwrap();
+        let LaidLayer { layer, color, samples: covered } =
+            next_layer(&samples, &Progress::new()).unwrap().unwrap();
         for (c, wanted) in [1.0, 0.8, 0.6].into_iter().enumerate() {
             assert!((color[c] - wanted).abs() < 0.1, "{color:?}");
         }
@@ -391,7 +400,8 @@ mod tests {
     #[test]
     fn what_recurs_elsewhere_is_lit_at_its_own_place() {
         let samples = balls(&[(around(), 0.85)], 4);
-        let (layer, _, covered) = next_layer(&samples, &Progress::new()).unwrap().unwrap();
+        let LaidLayer { layer, samples: covered, .. } =
+            next_layer(&samples, &Progress::new()).unwrap().unwrap();
         let place = layer.place.expect("it is confined");
         assert!(place.center.distance(around()) < 0.4, "{place:?}");
         assert!(error(&covered) < 0.15 * error(&samples), "{}", error(&covered) / error(&samples));

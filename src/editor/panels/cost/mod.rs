@@ -1,7 +1,7 @@
 //! Cost of the picture as it was just drawn, with the causes of its passes; and on request measured
-//! time and error of the look and of each of its nodes, in each tier, in the background: the look as
-//! it is set at once, in three drawings, then its tiers, then all of it. A click on a tier adopts
-//! it. Counted operations are in `panels::effects`.
+//! time and error of the look and of each of its nodes, in each tier, in the background: the look
+//! as it is set at once, in three drawings, then its tiers, then all of it. A click on a tier
+//! adopts it. Counted operations are in `panels::effects`.
 
 mod causes;
 mod now;

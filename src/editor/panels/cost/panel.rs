@@ -284,7 +284,9 @@ fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
     };
     let [median, low, high] =
         [time.median, time.low, time.high].map(|time| format!("{time:.places$}"));
-    let text = tr!("{median}  ({low} to {high})");
+    // One drawing has no interval.
+    let text =
+        if time.high > time.low { tr!("{median}  ({low} to {high})") } else { median.clone() };
     let mono = FontId::monospace(11.0);
     cell(
         ui,
@@ -308,12 +310,13 @@ fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
 pub(super) fn told(row: &MeasurementRow, is_used: bool) -> String {
     let mut lines = vec![format!("{}, {}", name(&row.subject), tier_name(row.tier))];
     let time = &row.time;
-    lines.push(tr!(
-        "{median:.3} ms, 95% from {low:.3} to {high:.3}",
-        median = time.median,
-        low = time.low,
-        high = time.high
-    ));
+    let median = time.median;
+    lines.push(match time.high > time.low {
+        true => {
+            tr!("{median:.3} ms, 95% from {low:.3} to {high:.3}", low = time.low, high = time.high)
+        }
+        false => tr!("{median:.3} ms, drawn once"),
+    });
     if matches!(row.subject, MeasurementSubject::Node { .. }) {
         let line = if time.is_noise() {
             tr!("nothing seen beyond noise")
