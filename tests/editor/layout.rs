@@ -191,7 +191,7 @@ const SCROLLED_ACROSS: [&str; 2] = ["Light table", "Timeline"];
 
 /// Place of the panel that scrolls to the sides, where one is in front.
 fn scrolled_across(hand: &User) -> Option<Rect> {
-    let tab = |panel: &str| hand.harness.query_by_role_and_label(Role::Tab, tr(panel));
+    let tab = |panel: &'static str| hand.harness.query_by_role_and_label(Role::Tab, tr(panel));
     let is_in_front = |tab: &Node<'_>| tab.accesskit_node().toggled() == Some(Toggled::True);
     let front = SCROLLED_ACROSS.iter().filter_map(|panel| tab(panel)).find(is_in_front)?;
     let (left, right) = (tab("Graph")?.rect().left() - 12.0, tab("Inspector")?.rect().left());
