@@ -16,7 +16,7 @@ use crate::commands::{
     ViewCommand, keyboard,
 };
 use crate::diag::Diagnostic;
-use crate::document::{Edit, Projection, Value};
+use crate::document::{Edit, Projection, Target, Value};
 use crate::files::relative;
 use crate::ids::NodePath;
 use crate::state::paths::absolute;
@@ -112,13 +112,7 @@ impl App {
             Command::OpenShortcuts => self.sheet.open_shortcuts(),
             Command::Save => self.save(),
             Command::SaveAs => self.ask_where_to_save(),
-            Command::SaveTo(path) => {
-                if self.save_as(&path) {
-                    self.go_on_if_safe();
-                } else {
-                    self.ask_again(FilePurpose::Save, &path);
-                }
-            }
+            Command::SaveTo(path) => self.save_to(&path),
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::ShowOn(None) => self.ask_for_mesh(),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
@@ -137,10 +131,7 @@ impl App {
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
-            Command::AskImage(target) => {
-                self.dialogs.ask(FilePurpose::Image, self.session.path());
-                self.asked_image = Some(target);
-            }
+            Command::AskImage(target) => self.ask_for_image(target),
             Command::TakeImage(path) => self.take_image(&path),
             Command::Display(command) => self.apply_to_display(command),
             Command::CompareFrames(path) => self.compare_frames(path),
@@ -214,6 +205,20 @@ impl App {
             Some(path) => self.bench.tools.of_mut::<FlipBook>().open(path),
             None => self.dialogs.ask(FilePurpose::Frames, self.session.path()),
         }
+    }
+
+    /// Saves the look to a file, and goes on with what waited for it.
+    fn save_to(&mut self, path: &Path) {
+        if self.save_as(path) {
+            self.go_on_if_safe();
+        } else {
+            self.ask_again(FilePurpose::Save, path);
+        }
+    }
+
+    fn ask_for_image(&mut self, target: Target) {
+        self.dialogs.ask(FilePurpose::Image, self.session.path());
+        self.asked_image = Some(target);
     }
 
     /// Gives the input that asked for an image its path, beside the look where that has a file.
