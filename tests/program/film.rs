@@ -243,8 +243,8 @@ fn a_wedge_varies_one_use_of_a_group() {
         json!({"chiaro": "look", "version": 1, "lights": {"key": {"direction": [-0.5, 0.8, 0.6]}},
             "nodes": [{"id": "base", "kind": "base"}, {"id": "first", "kind": first},
                 {"id": "second", "kind": "part"}, {"id": "output", "kind": "output"}],
-            "wires": [{"from": "base", "to": "first.below"}, {"from": "first", "to": "second.below"},
-                {"from": "second", "to": "output.color"}],
+            "wires": [{"from": "base", "to": "first.below"},
+                {"from": "first", "to": "second.below"}, {"from": "second", "to": "output.color"}],
             "definitions": {"part": part(lit(0.5, "alpha")), "clear": part(lit(0.2, "alpha")),
                 "dark": part(lit(0.5, "multiply"))},
             "time_keys": keyed})

@@ -121,8 +121,8 @@ impl App {
         self.path_field = Some(PathField::new(FilePurpose::Open, &folder.join(""), false));
     }
 
-    /// Asks for a path again where the window itself asks, since nothing could be written there; the
-    /// message stays.
+    /// Asks for a path again where the window itself asks, since nothing could be written there;
+    /// the message stays.
     pub(super) fn ask_again(&mut self, purpose: FilePurpose, path: &Path) {
         if self.dialogs.way == DialogKind::Window {
             self.path_field = Some(PathField::new(purpose, path, true));

@@ -131,8 +131,8 @@ impl VariedTarget {
         let named = others[..others.len().min(NAMED_USES)].join(", ");
         let message = format!("`{}` varies in `{group}` alone", self.name);
         Some(Diagnostic::note("one-use", message).hint(format!(
-            "the group is used by {named}{more} too; make the value an input of the group, wired or \
-             exposed, to vary it in all"
+            "the group is used by {named}{more} too; make the value an input of the group, wired \
+             or exposed, to vary it in all"
         )))
     }
 

@@ -5,7 +5,7 @@ use egui_tiles::{Container, LinearDir, Shares, Tile, TileId};
 
 use super::Dock;
 
-/// Width of a window, in points, below which its narrow columns keep the width that they have there.
+/// Width of a window, in points, below which narrow columns keep the width that they have at it.
 const NARROW: f32 = 1000.0;
 /// Width of a column that always gives way to narrower ones, in points.
 const PLENTY: f32 = 220.0;
@@ -57,7 +57,8 @@ fn widths(shares: &[f32], room: f32) -> Vec<f32> {
     if at_least >= room {
         return least.iter().map(|width| width * room / at_least).collect();
     }
-    let part = (room - at_least) / (sum - at_least).max(f32::MIN_POSITIVE);
+    // Columns without a share have no width to give.
+    let part = if sum > at_least { (room - at_least) / (sum - at_least) } else { 0.0 };
     least.iter().zip(&wanted).map(|(least, wanted)| least + (wanted - least) * part).collect()
 }
 

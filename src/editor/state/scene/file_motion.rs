@@ -33,7 +33,8 @@ impl PlayedClip {
         self.times_of(ends, range)
     }
 
-    /// Times of the file's keys as the clip plays, within a range of times of the scene, in seconds.
+    /// Times of the file's keys as the clip plays, within a range of times of the scene, in
+    /// seconds.
     pub(crate) fn key_times(&self, range: [f64; 2]) -> Vec<f64> {
         self.times_of(&self.keys, range)
     }

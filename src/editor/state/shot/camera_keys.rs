@@ -36,12 +36,40 @@ impl CameraPath {
         self.values.iter().any(|value| DVec3::from(*value).distance(first) > SAME)
     }
 
-    /// Keys at frames, counted from the first, with automatic handles.
+    /// Keys at frames, counted from the first, with handles along the path; directions have
+    /// automatic ones.
     fn keys(&self, frames: &[usize]) -> Vec<TimeKey> {
-        let value = |frame: usize| Value::Vector(self.values[frame].to_vec());
-        let key =
-            |&frame: &usize| TimeKey::new(frame as f64, value(frame), TimeInterpolation::Bezier);
-        frames.iter().map(key).collect()
+        let key = |(index, &frame): (usize, &usize)| {
+            let value = Value::Vector(self.values[frame].map(tidy).to_vec());
+            let key = TimeKey::new(frame as f64, value, TimeInterpolation::Bezier);
+            if self.turns {
+                return key;
+            }
+            let slope = self.slope(frame);
+            let toward = |other: Option<&usize>| -> Vec<[f64; 2]> {
+                let reach = other.map(|other| (*other as f64 - frame as f64) / 3.0);
+                let handle = |reach: f64| slope.map(|slope| [tidy(reach), tidy(slope * reach)]);
+                reach.map(|reach| handle(reach).to_vec()).unwrap_or_default()
+            };
+            let before = index.checked_sub(1).and_then(|before| frames.get(before));
+            TimeKey { incoming: toward(before), outgoing: toward(frames.get(index + 1)), ..key }
+        };
+        frames.iter().enumerate().map(key).collect()
+    }
+
+    /// Change of the value from frame to frame, along the parabola through three frames.
+    fn slope(&self, frame: usize) -> [f64; 3] {
+        let values = &self.values;
+        let last = values.len() - 1;
+        if last < 2 {
+            return std::array::from_fn(|part| values[last][part] - values[0][part]);
+        }
+        let middle = frame.clamp(1, last - 1);
+        let aside = frame as f64 - middle as f64;
+        std::array::from_fn(|part| {
+            let [before, here, after] = [middle - 1, middle, middle + 1].map(|at| values[at][part]);
+            0.5 * (after - before) + aside * (after - 2.0 * here + before)
+        })
     }
 
     /// Distance of a frame's value from the curve of some keys, in units of what is not seen.
@@ -54,6 +82,11 @@ impl CameraPath {
     }
 }
 
+/// A number as files have it.
+fn tidy(number: f64) -> f64 {
+    (number * 1e6).round() / 1e6
+}
+
 /// Overrides of a shot that make its camera that of these frames, from `first` on: of the eye, of
 /// the target, and of the direction that is up. What does not move is set. The lens is not theirs.
 pub(super) fn camera_overrides(first: i32, cameras: &[Camera]) -> Vec<Override> {
@@ -63,18 +96,21 @@ pub(super) fn camera_overrides(first: i32, cameras: &[Camera]) -> Vec<Override> 
     let paths = paths(cameras);
     let moving: Vec<&CameraPath> = paths.iter().filter(|path| path.moves()).collect();
     let frames = key_frames(&moving, cameras.len() - 1);
-    let tidy = |value: [f64; 3]| Value::Vector(value.map(|x| (x * 1e6).round() / 1e6).to_vec());
     let overridden = |path: &CameraPath| {
-        let key = |&frame: &usize| {
-            let at = f64::from(first) + frame as f64;
-            ShotKey::new(at, tidy(path.values[frame]), TimeInterpolation::Bezier)
+        let key = |key: TimeKey| ShotKey {
+            incoming: key.incoming,
+            outgoing: key.outgoing,
+            ..ShotKey::new(f64::from(first) + key.time, key.value, key.interpolation)
         };
         let moves = path.moves();
         Override {
             look: None,
             target: path.target.to_owned(),
-            value: (!moves).then(|| tidy(path.values[0])),
-            keys: if moves { frames.iter().map(key).collect() } else { Vec::new() },
+            value: (!moves).then(|| Value::Vector(path.values[0].map(tidy).to_vec())),
+            keys: match moves {
+                true => path.keys(&frames).into_iter().map(key).collect(),
+                false => Vec::new(),
+            },
             before: Extrapolation::Hold,
             after: Extrapolation::Hold,
             step: 1,
@@ -142,7 +178,11 @@ mod tests {
 
     /// The value of an override at a frame.
     fn at(change: &Override, frame: f64) -> Vec<f64> {
-        let key = |key: &ShotKey| TimeKey::new(key.frame, key.value.clone(), key.interpolation);
+        let key = |key: &ShotKey| TimeKey {
+            incoming: key.incoming.clone(),
+            outgoing: key.outgoing.clone(),
+            ..TimeKey::new(key.frame, key.value.clone(), key.interpolation)
+        };
         let keys: Vec<TimeKey> = change.keys.iter().map(key).collect();
         let ends = TrackEnds { before: Extrapolation::Hold, after: Extrapolation::Hold };
         let track = Track { keys: &keys, ends, turns: change.target == "camera.up" };

@@ -283,7 +283,7 @@ impl LayerTree {
     }
 }
 
-/// Those of some outputs that an output is, or is the product or the greatest of; `None` where
+/// The known outputs that an output is, or is the product or the greatest of; `None` where
 /// anything else counts.
 fn made_of<'l>(
     look: &'l Look,

@@ -90,7 +90,7 @@ impl FlipSubject {
 pub(crate) struct FlipBook {
     worker: Worker<FlipRequest, FlipAnswer>,
     version: Option<OtherVersion>,
-    /// What is compared with it.
+    /// Document whose frames are compared with it.
     subject: Option<FlipSubject>,
     /// Number of the version: an answer about another one does not count.
     number: RequestNumber,

@@ -235,8 +235,8 @@ fn lane(ui: &Ui, axis: Axis, rect: Rect, (label, help): (&str, &str)) -> Rect {
     lane
 }
 
-/// Draws where a clip begins anew or ends, and the keys of the file: smaller than those of the shot,
-/// hollow, and at the edge.
+/// Draws where a clip begins anew or ends, and the keys of the file: smaller than those of the
+/// shot, hollow, and at the edge.
 fn seams(ui: &Ui, axis: Axis, lane: Rect, clip: &PlayedClip) {
     let stroke = Stroke::new(1.0, theme::of(ui).dim);
     let painter = ui.painter_at(lane);
