@@ -1,5 +1,4 @@
-//! Inputs of nodes that vary, within groups too: found by the paths of their nodes, and set in one
-//! use of the groups alone.
+//! Inputs of nodes that vary, within groups too: found by the paths of their nodes.
 
 use indexmap::IndexSet;
 
@@ -7,7 +6,7 @@ use super::target::Place;
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Endpoint, Graph, Look, Node, Target};
 use crate::frame::Setup;
-use crate::ids::{DefinitionId, GROUP_INPUTS, NodePath, PortName, make_slug};
+use crate::ids::{GROUP_INPUTS, NodePath, PortName};
 use crate::library::Library;
 
 /// An input of a node, of all looks that have the node.
@@ -84,40 +83,6 @@ fn node_at<'l>(
     };
     let graph = groups.iter().try_fold(&look.graph, inner)?;
     Some((graph, graph.nodes.get(last)?))
-}
-
-/// The node at the end of a path for changes of this use of the groups around it alone, which get
-/// definitions of their own.
-pub(super) fn node_of_one_use<'l>(
-    look: &'l mut Look,
-    library: &Library,
-    path: &NodePath,
-) -> Option<&'l mut Node> {
-    let (last, groups) = path.ids().split_last()?;
-    let mut around: Option<DefinitionId> = None;
-    for id in groups {
-        let kind = graph_in(look, around.as_ref())?.nodes.get(id)?.kind.clone();
-        let definition = definition_of(look, library, &kind)?.clone();
-        let is_taken = |slug: &str| {
-            look.definitions.contains_key(slug)
-                || library.nodes.contains_key(slug)
-                || library.groups.contains_key(slug)
-        };
-        let own = make_slug(&kind, is_taken);
-        graph_in(look, around.as_ref())?.nodes.get_mut(id)?.kind.clone_from(&own);
-        let own = DefinitionId::from(own.as_str());
-        look.definitions.insert(own.clone(), definition);
-        around = Some(own);
-    }
-    graph_in(look, around.as_ref())?.nodes.get_mut(last)
-}
-
-/// The graph of a group, or the look's own.
-fn graph_in<'l>(look: &'l mut Look, group: Option<&DefinitionId>) -> Option<&'l mut Graph> {
-    match group {
-        Some(id) => look.definitions.get_mut(id).map(|definition| &mut definition.graph),
-        None => Some(&mut look.graph),
-    }
 }
 
 /// The inputs of a node.

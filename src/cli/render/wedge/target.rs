@@ -2,7 +2,7 @@
 
 use indexmap::IndexSet;
 
-use super::inputs::{inputs, node_of_one_use};
+use super::inputs::inputs;
 use super::values;
 use crate::compile::check;
 use crate::diag::Diagnostic;
@@ -175,7 +175,8 @@ impl VariedTarget {
                     let look = &mut setup.looks[*look].look;
                     let keyed = Target::Input { node: node.clone(), port: port.clone() };
                     unkey(look, |target| *target == keyed);
-                    if let Some(node) = node_of_one_use(look, library, node) {
+                    let group = |kind: &str| Some(library.groups.get(kind)?.definition.clone());
+                    if let Some(node) = look.node_of_one_use(node, group) {
                         node.values.insert(port.clone(), value.clone());
                     }
                 }
