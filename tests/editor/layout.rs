@@ -18,29 +18,26 @@ use crate::editor_support::home::Home;
 type WindowSize = ([f32; 2], f32);
 
 /// Sizes of windows that are looked at.
-pub(crate) const SIZES: [WindowSize; 6] = [
+const SIZES: [WindowSize; 5] = [
     ([800.0, 600.0], 1.0),
     ([1280.0, 720.0], 1.0),
     ([1600.0, 1000.0], 2.0),
     ([1920.0, 1080.0], 1.0),
     ([3840.0, 2160.0], 2.0),
-    // As narrow as the first, with all rows of the panels in view.
-    ([800.0, 2400.0], 1.0),
 ];
 
 /// Panels that are looked at together, as the command palette lists them: those of one row lie in
 /// stacks of their own.
-pub(crate) const ROUNDS: [&[&str]; 10] = [
-    &["Timeline", "Render"],
-    &["Light table", "Variations"],
+pub(crate) const ROUNDS: [&[&str]; 9] = [
+    &["Timeline"],
+    &["Light table"],
     &["Objects", "Code", "Mixer"],
     &["Shot", "Problems", "Links"],
     &["Library", "Effects", "Export"],
     &["Picture", "Graph", "Inspector", "Layers", "Profile"],
     &["Lights", "Keys"],
     &["History", "Cost and accuracy"],
-    &["Wedge", "Probe"],
-    &["Snapshots", "Paint light"],
+    &["Probe"],
 ];
 
 /// Menus of the bar.
@@ -259,7 +256,7 @@ fn outside(window: Rect, widgets: &[(WidgetRect, String)], found: &mut BTreeSet<
 }
 
 /// Faults of a window's panels at sizes, and of its menus.
-pub(crate) fn faults(
+fn faults(
     hand: &mut User,
     rounds: &[&[&str]],
     sizes: &[WindowSize],

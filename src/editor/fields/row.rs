@@ -47,6 +47,14 @@ pub(crate) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&m
     marked(ui, text, help, None, &mut Vec::new(), |ui, id, _| add(ui, id));
 }
 
+/// Shows a label with help, and several widgets, which take another line where a narrow row has no
+/// room for all.
+pub(crate) fn several(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
+    labelled(ui, label, help, |ui, id| {
+        ui.horizontal_wrapped(|ui| add(ui, id));
+    });
+}
+
 /// Shows a label with help, a widget that is named by it, and the mark of its target.
 pub(crate) fn marked(
     ui: &mut Ui,

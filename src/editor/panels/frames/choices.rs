@@ -8,7 +8,7 @@ use eframe::egui::{
 use super::document::named_passes;
 use super::outputs::OutputMenu;
 use crate::commands::{Command, FilmCommand};
-use crate::fields::row::labelled;
+use crate::fields::row::{labelled, several};
 use crate::film::LayerNaming;
 use crate::panels::table::PanelContext;
 use crate::state::runs::{CONTRIBUTIONS, FilmDocument, FrameChoices, MATTES, SampleDepth};
@@ -58,7 +58,7 @@ pub(super) fn show(
 /// Shows the range and the step.
 fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
     let help = tr!("First and last frame that are rendered, and the step from one to the next");
-    labelled(ui, tr!("Frames"), help, |ui, _| {
+    several(ui, tr!("Frames"), help, |ui, _| {
         let [mut first, mut last] = choices.range(document);
         for (frame, name) in
             [(&mut first, tr!("Render from frame")), (&mut last, tr!("Render to frame"))]
@@ -103,8 +103,8 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
         }
     });
     let help = tr!("Name of the files; #### stands for the number of the frame, a digit each");
-    labelled(ui, tr!("Name"), help, |ui, label| {
-        let width = (ui.available_width() - 92.0).max(40.0);
+    several(ui, tr!("Name"), help, |ui, label| {
+        let width = (ui.available_width() - 92.0).max(60.0);
         let field = TextEdit::singleline(&mut choices.name).desired_width(width);
         ui.add(field).labelled_by(label);
         ui.spacing_mut().item_spacing.x = 2.0;
@@ -142,7 +142,7 @@ fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         }
     });
     let (whole, size) = (document.size.unwrap_or(SIZE), choices.size.or(document.size));
-    labelled(ui, tr!("Scale"), tr!("Parts of the whole size, for drafts"), |ui, _| {
+    several(ui, tr!("Scale"), tr!("Parts of the whole size, for drafts"), |ui, _| {
         ui.spacing_mut().item_spacing.x = 2.0;
         for part in PARTS {
             let scaled = whole.map(|side| (side * part / 100).max(1));
@@ -160,7 +160,7 @@ fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
 
 fn numbers(ui: &mut Ui, choices: &mut FrameChoices) {
     let help = tr!("Numbers of an EXR: halves have 16 bits, which is usual; floats have 32");
-    labelled(ui, tr!("Numbers"), help, |ui, _| {
+    several(ui, tr!("Numbers"), help, |ui, _| {
         ui.spacing_mut().item_spacing.x = 2.0;
         for (depth, text) in [(SampleDepth::Half, "half"), (SampleDepth::Float, "float")] {
             let is_it = choices.depth == depth;
