@@ -116,6 +116,7 @@ fn a_part_of_the_same_name_is_replaced_or_kept_and_its_menu_renames_and_removes_
     let mut hand = home.window(Some(&from));
     hand.settle();
     let offer = |hand: &mut User| {
+        hand.tab("Layers");
         hand.press("More of Rim");
         hand.press("Save to the library…");
         hand.settle();

@@ -711,6 +711,7 @@ fn lights_are_linked_to_an_object_by_a_set() {
     hand.settle();
     assert!(!sees(&hand, "is missing at character"));
     assert_eq!(sets(&hand), ["group:sun & *", ""]);
+    hand.bring(Role::TextInput, "Not lit by");
     set_text(&mut hand, "Not lit by", "(");
     assert!(sees(&hand, "a light or a group is missing at character 2"));
     hand.key(Key::Enter);

@@ -392,6 +392,7 @@ fn objects_set_what_their_looks_expose() {
     let plain = colors(&mut hand);
     assert_eq!(plain[0], plain[1]);
     let values = |hand: &User| scene(hand).objects["ring"].values.clone();
+    hand.bring(Role::SpinButton, "Strength");
     let strength = hand.place_of(Role::SpinButton, "Strength");
     hand.type_over(strength, "0");
     assert_eq!(values(&hand)["strength"], Value::Number(0.0));

@@ -43,8 +43,7 @@ fn opened(home: &Home, overrides: &[&str]) -> User {
     let mut hand = home.window(Some(&home.file("shot.json")));
     hand.settle();
     show_timeline(&mut hand);
-    hand.press("All panels of this stack");
-    hand.press_a(Role::MenuItem, "Show Lights");
+    hand.tab("Lights");
     hand
 }
 

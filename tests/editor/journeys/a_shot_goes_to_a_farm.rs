@@ -54,7 +54,7 @@ fn a_shot_is_rendered_and_sent_to_a_farm() {
     artist.bring(Role::Button, "Write sh010.sh");
     artist.press_a(Role::Button, "Write sh010.sh");
     let parted = studio.read("sh010.sh");
-    assert!(parted != job && parted.contains("1-1 2-2 3-3"), "{parted}");
+    assert!(parted != job && parted.contains("chunks=(1 2 3)"), "{parted}");
     std::fs::write(studio.path("sh010.sh"), "mine").unwrap();
     artist.bring(Role::Button, "Write sh010.sh");
     artist.press_a(Role::Button, "Write sh010.sh");
