@@ -30,7 +30,7 @@ impl User {
     }
 
     /// Names of all widgets, for a message.
-    fn names(&self) -> Vec<String> {
+    pub(crate) fn names(&self) -> Vec<String> {
         let all = self.harness.query_all(egui_kittest::kittest::by().predicate(|_| true));
         all.filter_map(|node| node.accesskit_node().label().or_else(|| node.value())).collect()
     }

@@ -8,7 +8,8 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use crate::document::{
-    Camera, Extrapolation, Override, ShotKey, TimeInterpolation, TimeKey, TrackEnds, Value,
+    Camera, Extrapolation, HandlePair, Override, ShotKey, TimeInterpolation, TimeKey, TrackEnds,
+    Value,
 };
 use crate::frame::Track;
 
@@ -45,30 +46,39 @@ impl CameraPath {
             if self.turns {
                 return key;
             }
-            let slope = self.slope(frame);
             let toward = |other: Option<&usize>| -> Vec<[f64; 2]> {
-                let reach = other.map(|other| (*other as f64 - frame as f64) / 3.0);
-                let handle = |reach: f64| slope.map(|slope| [tidy(reach), tidy(slope * reach)]);
-                reach.map(|reach| handle(reach).to_vec()).unwrap_or_default()
+                let Some(reach) = other.map(|&other| other as f64 - frame as f64) else {
+                    return Vec::new();
+                };
+                let slope = self.slope(frame, reach > 0.0);
+                slope.map(|slope| [tidy(reach / 3.0), tidy(slope * reach / 3.0)]).to_vec()
             };
             let before = index.checked_sub(1).and_then(|before| frames.get(before));
-            TimeKey { incoming: toward(before), outgoing: toward(frames.get(index + 1)), ..key }
+            TimeKey {
+                incoming: toward(before),
+                outgoing: toward(frames.get(index + 1)),
+                handles: HandlePair::Free,
+                ..key
+            }
         };
         frames.iter().enumerate().map(key).collect()
     }
 
-    /// Change of the value from frame to frame, along the parabola through three frames.
-    fn slope(&self, frame: usize) -> [f64; 3] {
-        let values = &self.values;
-        let last = values.len() - 1;
-        if last < 2 {
-            return std::array::from_fn(|part| values[last][part] - values[0][part]);
-        }
-        let middle = frame.clamp(1, last - 1);
-        let aside = frame as f64 - middle as f64;
-        std::array::from_fn(|part| {
-            let [before, here, after] = [middle - 1, middle, middle + 1].map(|at| values[at][part]);
-            0.5 * (after - before) + aside * (after - 2.0 * here + before)
+    /// Change of the value from frame to frame at a frame, along the parabola through it and the
+    /// two that follow or come before: a path may have a corner.
+    fn slope(&self, frame: usize, is_after: bool) -> [f64; 3] {
+        let at = |steps: usize| {
+            let at = if is_after { Some(frame + steps) } else { frame.checked_sub(steps) };
+            at.and_then(|at| self.values.get(at))
+        };
+        let way = if is_after { 1.0 } else { -1.0 };
+        let here = self.values[frame];
+        std::array::from_fn(|part| match (at(1), at(2)) {
+            (Some(next), Some(other)) => {
+                way * (2.0 * next[part] - 1.5 * here[part] - 0.5 * other[part])
+            }
+            (Some(next), None) => way * (next[part] - here[part]),
+            _ => 0.0,
         })
     }
 
@@ -100,6 +110,7 @@ pub(super) fn camera_overrides(first: i32, cameras: &[Camera]) -> Vec<Override> 
         let key = |key: TimeKey| ShotKey {
             incoming: key.incoming,
             outgoing: key.outgoing,
+            handles: key.handles,
             ..ShotKey::new(f64::from(first) + key.time, key.value, key.interpolation)
         };
         let moves = path.moves();
