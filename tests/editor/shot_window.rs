@@ -402,3 +402,34 @@ fn outputs_of_nodes_are_picked_as_layers_of_frames() {
     pick(&mut hand, "layr.tone", "layer.tone");
     assert!(copied(&mut hand).ends_with("--aov layer_tone=layer.tone"));
 }
+
+#[test]
+fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    let targets = |hand: &User| -> Vec<String> {
+        shot(hand).overrides.iter().map(|it| it.target.clone()).collect()
+    };
+    hand.tab("Shot");
+    let corner = hand.place_of(Role::Canvas, "Picture").left_top() + vec2(30.0, 120.0);
+    hand.drag(corner, corner + vec2(60.0, 0.0));
+    hand.settle();
+    hand.press("Keep this view");
+    let kept = targets(&hand);
+    assert!(kept.contains(&"camera.eye".to_owned()), "{kept:?}");
+    let lens = ["camera.fov", "camera.aspect", "camera.height"];
+    assert!(kept.iter().all(|target| !lens.contains(&target.as_str())), "{kept:?}");
+    hand.undo();
+    hand.settle();
+    assert!(targets(&hand).is_empty(), "one step");
+    hand.app_mut().session_mut().select_object(Some("ball".into()));
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    hand.settle();
+    hand.press("Key a value");
+    hand.press("ball: Translate");
+    assert_eq!(targets(&hand), ["objects.ball.transform.translate"]);
+    assert_eq!(shot(&hand).overrides[0].keys.len(), 1);
+}

@@ -257,3 +257,33 @@ fn shift_on_the_ruler_chooses_the_part_that_is_played() {
     hand.settle();
     assert!(!hand.has("Whole range") && close(hand.app().session().view().time(), 1.5));
 }
+
+/// A key that was dragged has the focus, for its arrows: undo, and the keys of the transport, work
+/// all the same.
+#[test]
+fn undo_and_the_transport_are_heard_while_a_key_has_the_focus() {
+    let mut hand = keyed();
+    let before = hand.look().clone();
+    let key = at(&hand, "Time key 2 of Diffuse: Opacity");
+    hand.drag(key, key + vec2(40.0, 0.0));
+    hand.settle();
+    assert_ne!(*hand.look(), before);
+    hand.key_with(Modifiers::COMMAND, Key::Z);
+    hand.settle();
+    assert_eq!(*hand.look(), before);
+    go(&mut hand, 1.0);
+    hand.click(key);
+    hand.settle();
+    // The graph has this key, too.
+    hand.key(Key::Home);
+    hand.settle();
+    assert_eq!(hand.app().session().view().time(), 0.0);
+    hand.click(key);
+    hand.settle();
+    hand.key(Key::Space);
+    hand.harness.step();
+    assert!(hand.has("Pause"), "it plays");
+    hand.key(Key::Space);
+    hand.settle();
+    assert!(hand.has("Play"));
+}
