@@ -429,7 +429,7 @@ fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
     hand.click(nothing);
     hand.settle();
     hand.press("Key a value");
-    hand.press("ball: Translate");
+    hand.press("ball: Place");
     assert_eq!(targets(&hand), ["objects.ball.transform.translate"]);
     assert_eq!(shot(&hand).overrides[0].keys.len(), 1);
 }
