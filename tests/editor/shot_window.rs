@@ -429,7 +429,9 @@ fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
     hand.click(nothing);
     hand.settle();
     hand.press("Key a value");
+    hand.bring(Role::Button, "ball: Place");
     hand.press("ball: Place");
-    assert_eq!(targets(&hand), ["objects.ball.transform.translate"]);
+    let told = hand.app().message().map(str::to_owned);
+    assert_eq!(targets(&hand), ["objects.ball.transform.translate"], "{told:?}");
     assert_eq!(shot(&hand).overrides[0].keys.len(), 1);
 }
