@@ -227,9 +227,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     };
     let target = target.as_ref();
     let sequence = arguments.sequence(target)?;
-    let format = check_target(target, arguments.encoding()).map_err(one)?;
-    layers::check(arguments, format, target).map_err(one)?;
-    let view = arguments.view_of(format).map_err(one)?;
+    let (format, view) = form_of(arguments, target).map_err(one)?;
     let read = [
         Some(arguments.document.as_path()),
         arguments.mesh.as_deref().map(Path::new),
@@ -321,6 +319,19 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Ok(())
 }
 
+/// The format of the pictures, and the view that they are shown by.
+///
+/// # Errors
+/// A file that cannot be written in the format, or not with the layers that are asked for.
+fn form_of(
+    arguments: &Arguments,
+    target: &Path,
+) -> Result<(PictureFormat, Option<DisplayView>), Diagnostic> {
+    let format = check_target(target, arguments.encoding())?;
+    layers::check(arguments, format, target)?;
+    Ok((format, arguments.view_of(format)?))
+}
+
 /// Prepares the first frame as rendering into `target` would, and draws nothing: for who hands the
 /// arguments on.
 ///
@@ -331,10 +342,7 @@ pub(super) fn rehearse(
     target: &Path,
     output: &Output,
 ) -> Result<(), Vec<Diagnostic>> {
-    let one = |problem: Diagnostic| vec![problem];
-    let format = check_target(target, arguments.encoding()).map_err(one)?;
-    layers::check(arguments, format, target).map_err(one)?;
-    let view = arguments.view_of(format).map_err(one)?;
+    let (_, view) = form_of(arguments, target).map_err(|problem| vec![problem])?;
     let mut warnings = Vec::new();
     let mut stage = arguments.open(&mut warnings)?;
     warnings.extend(warning_of_view(&stage.setup, view.as_ref()));

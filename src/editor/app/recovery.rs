@@ -19,9 +19,12 @@ impl App {
             return self.open(&path);
         }
         let painting = self.painting_number();
+        let takes_back = matches!(command, RecoveryCommand::TakeBack(_));
         self.message = self.recover(command);
         self.open_lacking_look();
-        self.play_frames_of_shot();
+        if takes_back {
+            self.play_frames_of_shot();
+        }
         self.show_painting_taken_back(painting);
     }
 

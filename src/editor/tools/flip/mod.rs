@@ -220,7 +220,7 @@ impl FlipBook {
 
     /// Closes the flip book.
     pub(crate) fn close(&mut self, playback: &mut Playback) {
-        self.version = None;
+        (self.version, self.subject) = (None, None);
         self.opens = None;
         self.problem = None;
         self.deltas.clear();
@@ -249,12 +249,11 @@ impl FlipBook {
         for answer in self.worker.answers() {
             self.take(answer, playback, size);
         }
-        let subject = Some(FlipSubject::of(session));
-        if self.subject != subject {
-            let was_open = self.subject.is_some() && self.version.is_some();
-            self.subject = subject;
-            if was_open {
-                self.close(playback);
+        if self.version.is_some() {
+            let subject = FlipSubject::of(session);
+            match &self.subject {
+                Some(before) if *before != subject => self.close(playback),
+                _ => self.subject = Some(subject),
             }
         }
         if let Some(path) = self.opens.take_if(|_| !self.worker.owes()) {
