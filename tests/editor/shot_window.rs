@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, Value};
 use chiaro::frame::{Assets, open};
 use eframe::egui::{Key, Modifiers, Role, vec2};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
@@ -414,7 +415,13 @@ fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
     let corner = hand.place_of(Role::Canvas, "Picture").left_top() + vec2(30.0, 120.0);
     hand.drag(corner, corner + vec2(60.0, 0.0));
     hand.settle();
+    let follows = |hand: &User| {
+        let look = hand.harness.get_by_label("Look through the shot's camera");
+        look.accesskit_node().is_disabled()
+    };
+    assert!(!follows(&hand), "the view was turned");
     hand.press("Keep this view");
+    assert!(follows(&hand), "the picture is the shot's camera's again");
     let kept = targets(&hand);
     assert!(kept.contains(&"camera.eye".to_owned()), "{kept:?}");
     let lens = ["camera.fov", "camera.aspect", "camera.height"];

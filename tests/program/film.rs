@@ -378,6 +378,9 @@ fn jobs_of_farms_hand_every_option_on() {
     assert!(stage.fails(1, &file).contains("there already"));
     let said = stage.fails(2, &[&farm[..], &["deadline"]].concat());
     assert!(said.contains("slurm, openjd, opencue, flamenco"), "{said}");
+    // What every task would refuse is refused at once.
+    let said = stage.fails(1, &[&farm[..], &["slurm", "--aov", "lightz"]].concat());
+    assert!(said.contains("`lightz`") && said.contains("did you mean `lights`"), "{said}");
     let simulated = [&farm[..], &["slurm", "--simulate", "100"]].concat();
     assert!(stage.done(&simulated)[0].contains("frames that are whole are kept"));
 }
