@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use std::env;
 use std::process::Command;
 
+use chiaro::editor::Settings;
 use chiaro_locale::Language;
 use eframe::egui::epaint::ClippedShape;
 use eframe::egui::{Key, Modifiers};
@@ -15,7 +16,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
-use crate::layout::{MENUS, ROUNDS, collect, opened};
+use crate::layout::{MENUS, ROUNDS, SIZES, collect, faults, opened};
 
 /// Environment variable of a process that was started for one test.
 const ALONE: &str = "CHIARO_TEST_ALONE";
@@ -119,6 +120,22 @@ fn every_text_of_the_window_is_looked_up() {
         hand.key(Key::Escape);
     }
     assert!(found.is_empty(), "{} texts:\n{}", found.len(), Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn german_panels_have_room() {
+    if !is_alone("german_panels_have_room") {
+        return;
+    }
+    let mut settings = Settings::default();
+    settings.language = Some("de".to_owned());
+    settings.speak();
+    assert_eq!(chiaro_locale::tr("Layers"), "Ebenen");
+    let home = Home::new();
+    let mut hand = opened(&home);
+    hand.app_mut().session_mut().select(vec!["layer".into()]);
+    let found = faults(&mut hand, &ROUNDS, &SIZES, &[SIZES[0]]);
+    assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
 }
 
 #[test]

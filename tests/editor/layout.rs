@@ -18,26 +18,29 @@ use crate::editor_support::home::Home;
 type WindowSize = ([f32; 2], f32);
 
 /// Sizes of windows that are looked at.
-const SIZES: [WindowSize; 5] = [
+pub(crate) const SIZES: [WindowSize; 6] = [
     ([800.0, 600.0], 1.0),
     ([1280.0, 720.0], 1.0),
     ([1600.0, 1000.0], 2.0),
     ([1920.0, 1080.0], 1.0),
     ([3840.0, 2160.0], 2.0),
+    // As narrow as the first, with all rows of the panels in view.
+    ([800.0, 2400.0], 1.0),
 ];
 
 /// Panels that are looked at together, as the command palette lists them: those of one row lie in
 /// stacks of their own.
-pub(crate) const ROUNDS: [&[&str]; 9] = [
-    &["Timeline"],
-    &["Light table"],
+pub(crate) const ROUNDS: [&[&str]; 10] = [
+    &["Timeline", "Render"],
+    &["Light table", "Variations"],
     &["Objects", "Code", "Mixer"],
     &["Shot", "Problems", "Links"],
     &["Library", "Effects", "Export"],
     &["Picture", "Graph", "Inspector", "Layers", "Profile"],
     &["Lights", "Keys"],
     &["History", "Cost and accuracy"],
-    &["Probe"],
+    &["Wedge", "Probe"],
+    &["Snapshots", "Paint light"],
 ];
 
 /// Menus of the bar.
@@ -146,8 +149,10 @@ fn widgets(hand: &mut User) -> Vec<(WidgetRect, String)> {
 fn is_ground(name: &str) -> bool {
     const ROLES: [&str; 6] = ["Canvas", "Image", "ListItem", "Unknown", "Splitter", "ScrollBar"];
     const HANDLES: [&str; 5] = ["Handle", "of the profile", "Playhead", "of the range", "Key of"];
+    // In German, as far as the rounds show them.
+    const GERMAN: [&str; 3] = ["des Profils", "Abspielkopf", "des Bereichs"];
     ROLES.iter().any(|role| name.starts_with(role))
-        || HANDLES.iter().any(|handle| name.contains(handle))
+        || HANDLES.iter().chain(&GERMAN).any(|handle| name.contains(handle))
 }
 
 /// Widgets of which one covers a part of another.
@@ -256,7 +261,7 @@ fn outside(window: Rect, widgets: &[(WidgetRect, String)], found: &mut BTreeSet<
 }
 
 /// Faults of a window's panels at sizes, and of its menus.
-fn faults(
+pub(crate) fn faults(
     hand: &mut User,
     rounds: &[&[&str]],
     sizes: &[WindowSize],

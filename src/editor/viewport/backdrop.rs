@@ -62,7 +62,11 @@ pub(super) fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
         egui::Stroke::new(1.0, theme::of(ui).grid),
     );
     let font = egui::FontId::proportional(theme::TEXT_SIZE);
-    let at = rect.center_bottom() - vec2(0.0, 12.0);
-    let text = tr!("This window has no GPU to draw with");
-    ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::of(ui).dim);
+    let text = tr!("This window has no GPU to draw with").to_owned();
+    let dim = theme::of(ui).dim;
+    let mut text = egui::text::LayoutJob::simple(text, font, dim, rect.width() - 12.0);
+    text.halign = egui::Align::Center;
+    let text = ui.painter().layout_job(text);
+    let at = rect.center_bottom() - vec2(0.0, 12.0 + text.size().y);
+    ui.painter().galley(at, text, dim);
 }

@@ -91,7 +91,7 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
     let help =
         tr!("Folder of the frames, from the document's own; it is made where it is not there");
     labelled(ui, tr!("Folder"), help, |ui, label| {
-        let width = (ui.available_width() - 40.0).max(40.0);
+        let width = (ui.available_width() - 34.0).max(64.0);
         let field = TextEdit::singleline(&mut choices.folder).desired_width(width);
         ui.add(field).labelled_by(label);
         let choose = ui.small_button("...").on_hover_text(tr!("Chooses the folder"));
@@ -104,7 +104,7 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
     });
     let help = tr!("Name of the files; #### stands for the number of the frame, a digit each");
     several(ui, tr!("Name"), help, |ui, label| {
-        let width = (ui.available_width() - 92.0).max(60.0);
+        let width = (ui.available_width() - 92.0).max(64.0);
         let field = TextEdit::singleline(&mut choices.name).desired_width(width);
         ui.add(field).labelled_by(label);
         ui.spacing_mut().item_spacing.x = 2.0;

@@ -19,6 +19,10 @@ use crate::widgets::text;
 use crate::widgets::theme;
 
 const BALL: f32 = 84.0;
+
+/// Least side of it in a narrow panel, and the room that the numbers beside it take, in points.
+const LEAST_BALL: f32 = 44.0;
+const BESIDE_BALL: f32 = 54.0;
 /// Least value set by hand for a number that must be above 0, such as the angle of a cone in
 /// radians: a cone of no width gives no light.
 const LEAST_ABOVE: f64 = 1e-3;
@@ -306,9 +310,10 @@ fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
 
 /// Shows all directions on a disc: the distance from its center is the angle from the viewer.
 fn ball(ui: &mut Ui, direction: &mut [f64; 3]) -> Option<Id> {
-    let (rect, response) = ui.allocate_exact_size(vec2(BALL, BALL), Sense::click_and_drag());
+    let side = (ui.available_width() - BESIDE_BALL).clamp(LEAST_BALL, BALL);
+    let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Direction of the light")));
-    let (center, radius) = (rect.center(), BALL / 2.0 - 3.0);
+    let (center, radius) = (rect.center(), side / 2.0 - 3.0);
     let painter = ui.painter_at(rect);
     painter.circle(center, radius, theme::of(ui).canvas, Stroke::new(1.0, theme::of(ui).grid));
     painter.circle_filled(center, radius / 2.0, theme::of(ui).node);

@@ -15,11 +15,15 @@ use crate::widgets::text::hint;
 use crate::widgets::theme;
 use crate::widgets::value;
 
+/// Part of the panel that names of values take, and their least width in points.
+const NAME_PART: f32 = 0.45;
+const LEAST_NAME: f32 = 80.0;
+
 /// Shows the table.
 pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let targets = targets_of(shown.keys);
     Grid::new(("keyed values", shown.owned.owner, shown.set))
-        .num_columns(shown.keys.keys.len() + 2)
+        .num_columns(shown.keys.keys.len() + 1)
         .spacing([10.0, 4.0])
         .show(ui, |ui| {
             head(ui, shown, out);
@@ -79,15 +83,22 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     let base = owned.keys.base;
     let [owner, what] = base.names_of(target);
     let called = format!("{owner}: {what}");
-    let link = ui
-        .link(RichText::new(&called).color(theme::of(ui).text))
-        .on_hover_text(tr!("Shows what has this value"));
-    if link.clicked()
-        && let Target::Input { node, .. } = target
-    {
-        out.push(Command::Show(node.clone()));
-    }
-    let Some(port) = base.port_at(target) else {
+    let port = base.port_at(target);
+    ui.vertical(|ui| {
+        ui.set_max_width((ui.available_width() * NAME_PART).max(LEAST_NAME));
+        let link = ui
+            .add(egui::Link::new(RichText::new(&called).color(theme::of(ui).text)))
+            .on_hover_text(tr!("Shows what has this value"));
+        if link.clicked()
+            && let Target::Input { node, .. } = target
+        {
+            out.push(Command::Show(node.clone()));
+        }
+        if port.is_some() {
+            unkey(ui, shown, (target, &called), out);
+        }
+    });
+    let Some(port) = port else {
         ui.end_row();
         return;
     };
@@ -131,15 +142,23 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
             });
         });
     }
-    let unkey = ui.add(Button::new(tr!("Unkey")).small());
-    unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr!("Unkey {called}")));
-    if unkey
-        .on_hover_text(tr!("Keys change this no more; it keeps the value that it has now"))
-        .clicked()
-    {
-        out.extend(owned.once(owned.keys.unkey(target)));
-    }
     ui.end_row();
+}
+
+/// Shows the button that takes a value out of the set.
+fn unkey(
+    ui: &mut Ui,
+    shown: &KeySetView<'_>,
+    (target, called): (&Target, &str),
+    out: &mut Vec<Command>,
+) {
+    let text = RichText::new(tr!("Unkey")).color(theme::of(ui).dim);
+    let button = ui.add(Button::new(text).small());
+    button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr!("Unkey {called}")));
+    let help = tr!("Keys change this no more; it keeps the value that it has now");
+    if button.on_hover_text(help).clicked() {
+        out.extend(shown.owned.once(shown.owned.keys.unkey(target)));
+    }
 }
 
 /// Shows the menu of values that can be keyed: inputs of the selected nodes, and fields of the
