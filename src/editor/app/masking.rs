@@ -7,10 +7,10 @@ use super::App;
 use crate::commands::{MaskCommand, PanelId};
 use crate::diag::Diagnostic;
 use crate::ids::NodeId;
-use crate::state::masks::{MaskPicture, SIDE};
+use crate::state::masks::{MaskLaying, MaskPicture, SIDE};
 use crate::state::session::Session;
 use crate::state::stack::Stack;
-use crate::tools::masking::MaskTool;
+use crate::tools::masking::{MaskTool, laying};
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
 
@@ -18,15 +18,23 @@ impl App {
     pub(super) fn apply_to_masking(&mut self, ui: &Ui, command: MaskCommand) {
         match command {
             MaskCommand::New(layer) => {
-                let mut is_made = false;
+                let mut made = None;
                 self.tell(|session| {
-                    new_mask(session, &layer)?;
-                    is_made = true;
+                    made = Some(new_mask(session, &layer)?);
                     Ok(())
                 });
-                if is_made {
+                if made.is_some() {
                     self.paint_mask_of(ui, Some(layer));
                 }
+                if made == Some(MaskLaying::Uvs) || made.is_none() {
+                    return;
+                }
+                self.bench.tools.of_mut::<MaskTool>().tell(
+                    tr!(
+                        "This mesh has no UVs: its mask lies straight through it, as it is seen now"
+                    )
+                    .to_owned(),
+                );
             }
             MaskCommand::Paint(layer) => self.paint_mask_of(ui, Some(layer)),
             MaskCommand::Keep(step) => self.tell(|session| session.paint_mask(step)),
@@ -51,8 +59,9 @@ impl App {
     }
 }
 
-/// Gives a layer a mask that hides it, in a new file beside the look's.
-fn new_mask(session: &mut Session, layer: &NodeId) -> Result<(), Box<Diagnostic>> {
+/// Gives a layer a mask that hides it, in a new file beside the look's. Returns the way in which it
+/// lies.
+fn new_mask(session: &mut Session, layer: &NodeId) -> Result<MaskLaying, Box<Diagnostic>> {
     let problem = |message: &str| Box::new(Diagnostic::error("no-mask", message));
     let Some(path) = session.path().map(std::path::Path::to_path_buf) else {
         return Err(problem(tr!("save the look first: its mask is a picture beside its file")));
@@ -65,8 +74,9 @@ fn new_mask(session: &mut Session, layer: &NodeId) -> Result<(), Box<Diagnostic>
         .find(|name| !folder.join(name).exists())
         .ok_or_else(|| problem(tr!("there are too many masks beside the look's file")))?;
     session.write_mask(&folder.join(&name), &MaskPicture::filled([SIDE, SIDE], 0))?;
-    let (mask, edit) = Stack::mask_by_picture(session.look(), layer, &name);
+    let laying = laying(&session.snapshot());
+    let (mask, edit) = Stack::mask_by_picture(session.look(), layer, (&name, &laying));
     session.apply(edit, None)?;
     session.select(vec![mask]);
-    Ok(())
+    Ok(laying)
 }

@@ -7,8 +7,10 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use glam::{DQuat, DVec2, DVec3};
+
 use crate::diag::Diagnostic;
-use crate::document::{Look, Value};
+use crate::document::{Look, Node, Value};
 use crate::frame::{Image, Picture};
 use crate::ids::{NodeId, PortName};
 use crate::state::document::times::Times;
@@ -73,6 +75,41 @@ impl MaskPicture {
     /// The mask with shown and hidden exchanged.
     pub(crate) fn inverted(&self) -> Self {
         Self { size: self.size, texels: self.texels.iter().map(|texel| 255 - texel).collect() }
+    }
+}
+
+/// Way in which a mask's picture lies on the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum MaskLaying {
+    /// By the mesh's UVs.
+    Uvs,
+    /// Straight through the mesh.
+    Straight(StraightLaying),
+}
+
+/// Picture that lies straight through a mesh: u and v are even over space.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct StraightLaying {
+    /// True if places are the object's own, and not the world's.
+    pub(crate) is_of_object: bool,
+    /// Turn of the places, after which x runs along u and y along v.
+    pub(crate) turn: DQuat,
+    /// Factor and shift from turned places to UVs.
+    pub(crate) scale: DVec2,
+    pub(crate) offset: DVec2,
+}
+
+impl StraightLaying {
+    /// A picture over a sphere of object space, as it is seen after a turn.
+    pub(crate) fn around(center: DVec3, radius: f64, turn: DQuat) -> Self {
+        let scale = 0.5 / if radius > 0.0 { radius } else { 1.0 };
+        let offset = DVec2::splat(0.5) - (turn * center).truncate() * scale;
+        Self { is_of_object: true, turn, scale: DVec2::splat(scale), offset }
+    }
+
+    /// The place in the picture: u to the right, v up.
+    pub(crate) fn uv(&self, place: DVec3) -> DVec2 {
+        (self.turn * place).truncate() * self.scale + self.offset
     }
 }
 
@@ -149,15 +186,69 @@ impl MaskSteps {
 /// Name of the file of a layer's mask, as the look names it: where the mask is an image of its own
 /// that can be painted.
 pub(crate) fn file_of<'l>(look: &'l Look, layer: &NodeId) -> Option<&'l str> {
-    let (id, _) = mask::of(look, layer)?;
-    let wire = look.graph.wire_into(id, &PortName::new(mask::SHOWN))?;
-    let image = look.graph.nodes.get(&wire.from.node).filter(|node| node.kind == IMAGE)?;
-    match image.values.get(IMAGE) {
-        Some(Value::Text(name)) if name.to_lowercase().ends_with(".png") => {
-            (!name.contains([':', '#'])).then_some(name)
-        }
-        _ => None,
+    painted_of(look, layer).map(|(name, _)| name)
+}
+
+/// The name of the file of a layer's mask, as the look names it, and the way in which the picture
+/// lies: where it can be painted.
+pub(crate) fn painted_of<'l>(look: &'l Look, layer: &NodeId) -> Option<(&'l str, MaskLaying)> {
+    let (mask, _) = mask::of(look, layer)?;
+    let (id, image) = feeder(look, mask, mask::SHOWN).filter(|(_, node)| node.kind == IMAGE)?;
+    let Value::Text(name) = image.values.get(IMAGE)? else { return None };
+    let is_file = name.to_lowercase().ends_with(".png") && !name.contains([':', '#']);
+    is_file.then_some(name).zip(laying_of(look, id, image)).map(|(name, way)| (name.as_str(), way))
+}
+
+fn laying_of(look: &Look, id: &NodeId, image: &Node) -> Option<MaskLaying> {
+    if look.graph.wire_into(id, &PortName::new("uv")).is_none() {
+        return Some(MaskLaying::Uvs);
     }
+    let (from, node) = feeder(look, id, "uv")?;
+    let (position, turn) = match node.kind.as_str() {
+        "rotate_vector" => (feeder(look, from, "vector")?.1, turn_of(look, from, node)?),
+        _ => (node, DQuat::IDENTITY),
+    };
+    let is_of_object = match position.values.get("space") {
+        Some(Value::Text(space)) if space == "object" => true,
+        Some(Value::Text(space)) if space != "world" => return None,
+        _ => false,
+    };
+    let pair = |port, normal| match own(look, id, image, port)? {
+        None => Some(DVec2::splat(normal)),
+        Some(Value::Vector(numbers)) => Some(DVec2::new(*numbers.first()?, *numbers.get(1)?)),
+        Some(_) => None,
+    };
+    let (scale, offset) = (pair("scale", 1.0)?, pair("offset", 0.0)?);
+    let laying = StraightLaying { is_of_object, turn, scale, offset };
+    (position.kind == "position").then_some(MaskLaying::Straight(laying))
+}
+
+/// The turn of a node that rotates vectors by values of its own.
+fn turn_of(look: &Look, id: &NodeId, node: &Node) -> Option<DQuat> {
+    let axis = match own(look, id, node, "axis")? {
+        None => DVec3::Y,
+        Some(Value::Vector(numbers)) => DVec3::from_slice(numbers.get(..3)?),
+        Some(_) => return None,
+    };
+    let angle = match own(look, id, node, "angle")? {
+        None => 0.0,
+        Some(Value::Number(angle)) => *angle,
+        Some(_) => return None,
+    };
+    let axis = axis.try_normalize();
+    Some(axis.map_or(DQuat::IDENTITY, |axis| DQuat::from_axis_angle(axis, angle)))
+}
+
+/// The value that a node gives an input of its own, if it gives one; `None` where a wire gives it.
+fn own<'l>(look: &Look, id: &NodeId, node: &'l Node, port: &str) -> Option<Option<&'l Value>> {
+    let port = PortName::new(port);
+    look.graph.wire_into(id, &port).is_none().then(|| node.values.get(&port))
+}
+
+/// The node that feeds an input.
+fn feeder<'l>(look: &'l Look, id: &NodeId, port: &str) -> Option<(&'l NodeId, &'l Node)> {
+    let wire = look.graph.wire_into(id, &PortName::new(port))?;
+    look.graph.nodes.get_key_value(&wire.from.node)
 }
 
 #[cfg(test)]

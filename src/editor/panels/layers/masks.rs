@@ -60,7 +60,8 @@ pub(super) fn menu(
         let shown = ui.menu_button(tr!("Mask by"), |ui| {
             let help = tr!(
                 "Hides the layer; what is painted on the model with a brush shows it. Kept in a \
-                 picture beside the look's file, by the mesh's UVs"
+                 picture beside the look's file, by the mesh's UVs; where there are none, it lies \
+                 straight through the mesh as it is seen now"
             );
             let unsaved = tr!("Save the look first: the mask is a picture beside its file");
             let is_saved = session.path().is_some();

@@ -3,13 +3,14 @@
 use std::collections::{HashMap, HashSet};
 
 use chiaro_locale::{Text, text};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::tree::LayerTree;
 use super::{STEP, Stack};
 use crate::catalog::Catalog;
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire};
 use crate::ids::{NodeId, PortName, make_slug};
+use crate::state::masks::{MaskLaying, StraightLaying};
 
 /// Kind of the node, and its inputs.
 const MASK: &str = "mask";
@@ -352,11 +353,27 @@ impl Stack {
     }
 
     /// Masks a layer by a picture beside the look. Returns the new mask's id with the edit.
-    pub(crate) fn mask_by_picture(look: &Look, layer: &NodeId, file: &str) -> (NodeId, Edit) {
+    pub(crate) fn mask_by_picture(
+        look: &Look,
+        layer: &NodeId,
+        (file, laying): (&str, &MaskLaying),
+    ) -> (NodeId, Edit) {
         let mut making = MaskEdits::new(look, layer);
         let text = |text: &str| Value::Text(text.to_owned());
-        let values = [("image", text(file)), ("encoding", text("data"))];
+        let mut values = vec![("image", text(file)), ("encoding", text("data"))];
+        let place = match laying {
+            MaskLaying::Uvs => None,
+            MaskLaying::Straight(laying) => {
+                let pair = |pair: DVec2| Value::Vector(pair.to_array().map(short).to_vec());
+                values.push(("wrap", text("clamp")));
+                values.extend([("scale", pair(laying.scale)), ("offset", pair(laying.offset))]);
+                Some(making.turned_place(laying))
+            }
+        };
         let image = making.node("image", values.into_iter(), 1);
+        if let Some(place) = place {
+            making.wire(place, &image, "uv");
+        }
         making.finish(Some(Endpoint::new(image, "")))
     }
 
@@ -392,11 +409,15 @@ impl Stack {
 /// Values of an image that lays a picture over a sphere, by positions in world space.
 fn frame((center, radius): (DVec3, f64)) -> [(&'static str, Value); 2] {
     let scale = 0.5 / if radius > 0.0 { radius } else { 1.0 };
-    // Finer than a picture's texels, on large objects too, and short enough to be read in files.
-    let short = |x: f64| (x * 1e8).round() / 1e8;
     let pair = |x: f64, y: f64| Value::Vector(vec![short(x), short(y)]);
     let offset = pair(0.5 - center.x * scale, 0.5 - center.y * scale);
     [("scale", pair(scale, scale)), ("offset", offset)]
+}
+
+/// A number that is finer than a picture's texels, on large objects too, and short enough to be
+/// read in files.
+fn short(x: f64) -> f64 {
+    (x * 1e8).round() / 1e8
 }
 
 /// A node with all that it feeds.
@@ -466,6 +487,18 @@ impl<'a> MaskEdits<'a> {
         self.edits.push(Edit::AddWire { graph: GraphId::Look, wire, index: None });
     }
 
+    /// Adds the nodes of turned places, before the image that they lay.
+    fn turned_place(&mut self, laying: &StraightLaying) -> Endpoint {
+        let space = laying.is_of_object.then(|| Value::Text("object".to_owned()));
+        let position = self.node("position", space.map(|space| ("space", space)).into_iter(), 3);
+        let (axis, angle) = laying.turn.to_axis_angle();
+        let axis = Value::Vector(axis.to_array().map(short).to_vec());
+        let values = [("axis", axis), ("angle", Value::Number(short(angle)))];
+        let turned = self.node("rotate_vector", values.into_iter(), 2);
+        self.wire(Endpoint::new(position, ""), &turned, "vector");
+        Endpoint::new(turned, "")
+    }
+
     /// Adds the mask, with the opacity that the layer has.
     fn finish(mut self, from: Option<Endpoint>) -> (NodeId, Edit) {
         let own = self.look.graph.nodes.get(self.layer);
@@ -482,8 +515,11 @@ impl<'a> MaskEdits<'a> {
 
 #[cfg(test)]
 mod tests {
+    use glam::DQuat;
+
     use super::*;
     use crate::library::Library;
+    use crate::state::masks::painted_of;
 
     const LOOK: &str = r#"{"lights": {"key": {}}, "nodes": [
         {"id": "base", "kind": "base"},
@@ -508,6 +544,31 @@ mod tests {
     fn problems(look: &Look) -> Vec<String> {
         let checked = crate::compile::check(look, Library::built_in(), None);
         checked.err().unwrap_or_default().iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn a_mask_that_lies_straight_through_a_mesh_is_read_from_its_nodes() {
+        let turn = DQuat::from_euler(glam::EulerRot::YXZ, 0.4, -0.3, 0.2);
+        let straight = StraightLaying::around(DVec3::new(0.1, 2.0, -3.0), 4.0, turn);
+        for laying in [MaskLaying::Uvs, MaskLaying::Straight(straight.clone())] {
+            let (mut look, catalog, _) = setup();
+            let (_, edit) = Stack::mask_by_picture(&look, &"b".into(), ("m.png", &laying));
+            edit.apply(&mut look).unwrap();
+            assert!(!is_free(&look, &catalog, &"b".into()));
+            let problems = problems(&look);
+            assert!(problems.is_empty(), "{problems:?}");
+            let (file, found) = painted_of(&look, &"b".into()).expect("it can be painted");
+            assert_eq!(file, "m.png");
+            match found {
+                MaskLaying::Uvs => assert_eq!(laying, MaskLaying::Uvs),
+                MaskLaying::Straight(found) => {
+                    assert!(found.is_of_object);
+                    for place in [DVec3::ZERO, DVec3::new(3.0, 4.0, -5.0), DVec3::NEG_ONE] {
+                        assert!(found.uv(place).distance(straight.uv(place)) < 1e-6);
+                    }
+                }
+            }
+        }
     }
 
     #[test]

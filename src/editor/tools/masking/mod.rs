@@ -17,13 +17,14 @@ use super::notice::over_top;
 use crate::commands::{Command, MaskCommand};
 use crate::frame::Assets;
 use crate::ids::NodeId;
-use crate::state::masks::file_of;
+use crate::state::masks::{file_of, painted_of};
 use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use crate::widgets::theme;
 use project::MaskStroke;
+pub(crate) use work::laying;
 use work::{MaskAnswer, MaskChange, MaskRequest};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
@@ -87,6 +88,11 @@ impl MaskTool {
         self.layer = layer;
         (self.stroke, self.told) = (None, None);
         self.waiting.clear();
+    }
+
+    /// Says a sentence, without its end, until something is painted.
+    pub(crate) fn tell(&mut self, told: String) {
+        self.told = Some(told);
     }
 
     fn interact(&mut self, ui: &Ui, context: &PictureContext<'_>) -> Option<Command> {
@@ -165,12 +171,15 @@ impl MaskTool {
         if self.worker.owes() {
             return;
         }
-        let (Some(file), Some(change)) = (session.mask_file(layer), self.waiting.pop_front())
-        else {
+        let (Some(file), Some((_, laying)), Some(change)) = (
+            session.mask_file(layer),
+            painted_of(session.look(), layer),
+            self.waiting.pop_front(),
+        ) else {
             return;
         };
         let size = picture_size(rect, ui.pixels_per_point());
-        let request = MaskRequest { file, change, size, snapshot: session.snapshot() };
+        let request = MaskRequest { file, laying, change, size, snapshot: session.snapshot() };
         self.worker.request(|_| request);
     }
 

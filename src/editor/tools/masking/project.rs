@@ -8,10 +8,11 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::{DMat4, DVec2, DVec4, dvec2};
+use glam::{DMat4, DQuat, DVec2, DVec3, DVec4, dvec2};
 
 use crate::frame::{Setup, View};
 use crate::geometry::Mesh;
+use crate::state::masks::{MaskLaying, StraightLaying};
 
 /// Longer side of the depth buffer, in cells.
 const DEPTH_SIDE: f64 = 1024.0;
@@ -80,9 +81,42 @@ impl MaskObject {
     }
 
     fn corner(&self, index: u32) -> DVec4 {
+        self.world_from_object * self.place(index).extend(1.0)
+    }
+
+    /// A corner's place, in object space.
+    fn place(&self, index: u32) -> DVec3 {
         let place = self.mesh.positions.get(index as usize).copied().unwrap_or_default();
-        let [x, y, z] = place.map(f64::from);
-        self.world_from_object * DVec4::new(x, y, z, 1.0)
+        DVec3::from(place.map(f64::from))
+    }
+
+    fn uv(&self, index: u32, laying: &MaskLaying) -> DVec2 {
+        match laying {
+            MaskLaying::Uvs => {
+                let uv = self.mesh.uvs.get(index as usize).copied().unwrap_or_default();
+                DVec2::from(uv.map(f64::from))
+            }
+            MaskLaying::Straight(laying) if laying.is_of_object => laying.uv(self.place(index)),
+            MaskLaying::Straight(laying) => {
+                laying.uv(self.world_from_object.transform_point3(self.place(index)))
+            }
+        }
+    }
+
+    /// The way in which a new mask lies on the objects that wear the look, as they are seen: by
+    /// UVs, or straight through the first of them where none has any.
+    pub(super) fn laying(objects: &[Self], view: &View) -> MaskLaying {
+        let mut worn = objects.iter().filter(|object| !object.worn.is_empty());
+        let Some(first) = worn.next().filter(|first| !first.mesh.has_uvs) else {
+            return MaskLaying::Uvs;
+        };
+        if worn.any(|object| object.mesh.has_uvs) {
+            return MaskLaying::Uvs;
+        }
+        let (_, turn, _) = first.world_from_object.to_scale_rotation_translation();
+        let turn = DQuat::from_mat3(&view.rotation()) * turn;
+        let bounds = first.mesh.bounds();
+        MaskLaying::Straight(StraightLaying::around(bounds.center(), bounds.radius, turn))
     }
 }
 
@@ -119,7 +153,7 @@ pub(super) fn cover(
     view: &View,
     objects: &[MaskObject],
     stroke: &MaskStroke,
-    size: [u32; 2],
+    (size, laying): ([u32; 2], &MaskLaying),
 ) -> Vec<f32> {
     let mut shares = vec![0.0; size[0] as usize * size[1] as usize];
     let picture =
@@ -144,8 +178,8 @@ pub(super) fn cover(
                 continue;
             }
             let uv = corners.map(|index| {
-                let [u, v] = object.mesh.uvs.get(index as usize).copied().unwrap_or_default();
-                dvec2(f64::from(u) * f64::from(size[0]), (1.0 - f64::from(v)) * f64::from(size[1]))
+                let uv = object.uv(index, laying);
+                dvec2(uv.x * f64::from(size[0]), (1.0 - uv.y) * f64::from(size[1]))
             });
             each_texel(uv, size, |texel, weights| {
                 let mix = |of: fn(&SeenCorner) -> DVec4| {
@@ -298,8 +332,6 @@ impl DepthBuffer {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
     use super::*;
     use crate::document::{Camera, Projection};
 
@@ -334,11 +366,37 @@ mod tests {
         MaskStroke { points, radius: 10.0, hardness: 0.5, shows: true }
     }
 
+    fn by_uvs(side: u32) -> ([u32; 2], &'static MaskLaying) {
+        ([side, side], &MaskLaying::Uvs)
+    }
+
+    #[test]
+    fn a_mesh_without_uvs_is_painted_straight_through_as_it_is_seen() {
+        let turned = DMat4::from_rotation_z(0.5) * DMat4::from_scale(DVec3::splat(0.5));
+        let with = MaskObject { world_from_object: turned, ..square(0.0, 2.0) };
+        let bare = Mesh { uvs: Vec::new(), has_uvs: false, ..Mesh::clone(&with.mesh) };
+        let object = MaskObject { mesh: Arc::new(bare), ..with.clone() };
+        let laying = MaskObject::laying(std::slice::from_ref(&object), &view());
+        let MaskLaying::Straight(straight) = &laying else { panic!("{laying:?}") };
+        assert!(straight.is_of_object && straight.turn.angle_between(DQuat::IDENTITY) > 0.49);
+        let at = stroke(&[[60.0, 50.0]]);
+        let found = cover(&view(), std::slice::from_ref(&object), &at, ([64, 64], &laying));
+        // The middle of the stroke lies a tenth of the picture to the right of the middle, where a
+        // world of 2 by 2 has 0.2, and the object 0.4 of its own units.
+        let reach = object.mesh.bounds().radius;
+        let column = (64.0 * (0.5 + 0.5 * 0.4 / reach)) as usize;
+        let middle: Vec<usize> = (0..64).filter(|x| found[31 * 64 + x] > 0.5).collect();
+        assert!(middle.contains(&column) && middle.len() < 16, "{middle:?} {column}");
+        assert!(found[32 * 64 + 4] == 0.0);
+        let mixed = [object, with];
+        assert_eq!(MaskObject::laying(&mixed, &view()), MaskLaying::Uvs, "one of them has UVs");
+    }
+
     #[test]
     fn a_stroke_covers_the_texels_that_are_seen_under_it() {
         // From a quarter to a half of the width, a quarter from the top.
         let found =
-            cover(&view(), &[square(0.0, 2.0)], &stroke(&[[25.0, 25.0], [50.0, 25.0]]), [50, 50]);
+            cover(&view(), &[square(0.0, 2.0)], &stroke(&[[25.0, 25.0], [50.0, 25.0]]), by_uvs(50));
         let at = |x: usize, y: usize| found[y * 50 + x];
         assert_eq!((at(12, 12), at(18, 12), at(24, 12)), (1.0, 1.0, 1.0));
         assert!((0.2..0.8).contains(&at(18, 16)), "{}", at(18, 16));
@@ -349,12 +407,12 @@ mod tests {
     fn what_is_hidden_or_turned_away_is_not_painted() {
         let over = MaskObject { worn: Vec::new(), ..square(1.0, 1.0) };
         let at = stroke(&[[50.0, 50.0]]);
-        let hidden = cover(&view(), &[square(0.0, 2.0), over], &at, [20, 20]);
+        let hidden = cover(&view(), &[square(0.0, 2.0), over], &at, by_uvs(20));
         assert_eq!(hidden, vec![0.0; 400]);
         let turned = DMat4::from_rotation_y(std::f64::consts::PI);
         let back = MaskObject { world_from_object: turned, ..square(0.0, 2.0) };
-        assert_eq!(cover(&view(), &[back], &at, [20, 20]), vec![0.0; 400]);
-        let none = cover(&view(), &[square(0.0, 2.0)], &stroke(&[]), [20, 20]);
+        assert_eq!(cover(&view(), &[back], &at, by_uvs(20)), vec![0.0; 400]);
+        let none = cover(&view(), &[square(0.0, 2.0)], &stroke(&[]), by_uvs(20));
         assert_eq!(none, vec![0.0; 400], "a stroke without points");
     }
 
@@ -364,7 +422,7 @@ mod tests {
         let uvs = vec![[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]];
         repeated.mesh = Arc::new(Mesh { uvs, ..Mesh::clone(&repeated.mesh) });
         let at = stroke(&[[25.0, 25.0]]);
-        let found = cover(&view(), &[repeated], &at, [50, 50]);
-        assert_eq!(found, cover(&view(), &[square(0.0, 2.0)], &at, [50, 50]));
+        let found = cover(&view(), &[repeated], &at, by_uvs(50));
+        assert_eq!(found, cover(&view(), &[square(0.0, 2.0)], &at, by_uvs(50)));
     }
 }

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::project::{MaskObject, MaskStroke, cover};
 use crate::frame::{Assets, View};
-use crate::state::masks::{MaskPicture, MaskStep};
+use crate::state::masks::{MaskLaying, MaskPicture, MaskStep};
 use crate::state::problem_text::sentence;
 use crate::state::snapshot::RenderSnapshot;
 
@@ -35,10 +35,22 @@ impl MaskChange {
 
 pub(super) struct MaskRequest {
     pub(super) file: PathBuf,
+    pub(super) laying: MaskLaying,
     pub(super) change: MaskChange,
     /// Size of the picture, in pixels.
     pub(super) size: [u32; 2],
     pub(super) snapshot: RenderSnapshot,
+}
+
+/// The way in which a new mask lies on the picture that a snapshot shows. Without a picture, and
+/// where its meshes have UVs, that is by them.
+pub(crate) fn laying(snapshot: &RenderSnapshot) -> MaskLaying {
+    let Ok(setup) = snapshot.setup(&mut Assets::of(&snapshot.assets)) else {
+        return MaskLaying::Uvs;
+    };
+    // Only directions count, so that any size will do.
+    let view = View::new(&setup.value.scene.camera, [64, 64], DVec3::ZERO, 1.0);
+    MaskObject::laying(&MaskObject::of(&setup.value), &view)
 }
 
 /// Result of a request: the step, or the reason why there is none, as a sentence without its end.
@@ -46,7 +58,7 @@ pub(super) type MaskAnswer = Result<MaskStep, String>;
 
 /// Carries out a request.
 pub(super) fn carry_out(assets: &mut Assets, request: MaskRequest) -> MaskAnswer {
-    let MaskRequest { file, change, size, snapshot } = request;
+    let MaskRequest { file, laying, change, size, snapshot } = request;
     let setup = snapshot.setup(assets).map_err(|problems| {
         problems.first().map_or_else(|| tr!("There is no picture to paint on").to_owned(), sentence)
     })?;
@@ -61,15 +73,15 @@ pub(super) fn carry_out(assets: &mut Assets, request: MaskRequest) -> MaskAnswer
         MaskChange::Stroke(stroke) => {
             let objects = MaskObject::of(&setup.value);
             let mut worn = objects.iter().filter(|object| !object.worn.is_empty());
-            if worn.all(|object| !object.mesh.has_uvs) {
+            if laying == MaskLaying::Uvs && worn.all(|object| !object.mesh.has_uvs) {
                 return Err(tr!(
-                    "This mesh has no UVs to paint a mask by: unwrap it in a 3D program, or mask \
-                     by a picture from the front, vertex colors, a tone or noise"
+                    "This mesh has no UVs, and this mask lies by them: remove it, and mask by \
+                     painting anew"
                 )
                 .to_owned());
             }
             let view = View::new(&setup.value.scene.camera, size, DVec3::ZERO, 1.0);
-            let shares = cover(&view, &objects, stroke, before.size);
+            let shares = cover(&view, &objects, stroke, (before.size, &laying));
             if shares.iter().all(|share| *share <= 0.0) {
                 return Err(tr!("Nothing of the look is there: paint on the model").to_owned());
             }
