@@ -10,7 +10,8 @@ use serde_json::Value as Json;
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{
-    ColorSpace, Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit, Target, Value, keyed_target,
+    ColorSpace, DocumentRevision, Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit, Target,
+    Value, keyed_target,
 };
 use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::film::{color_space, color_text};
@@ -283,20 +284,31 @@ impl Session {
         let Some(shot) = self.shot_mut() else {
             return Err(Box::new(Diagnostic::error("impossible-edit", tr!("no shot is open"))));
         };
+        let before = Some(shot.document.history.picture_revision());
         if shot.document.apply(edit, gesture, now)? {
             self.revisions.step.advance();
             if let Some(work) = &mut self.painting {
                 work.end_gesture();
             }
-            self.shot_changed(is_structural);
+            self.shot_was_edited(before, is_structural);
         }
         Ok(())
     }
 
     /// Brings everything up to date after the shot changed.
-    pub(super) fn shot_changed(&mut self, is_structural: bool) {
+    fn shot_changed(&mut self, is_structural: bool) {
+        self.shot_was_edited(None, is_structural);
+    }
+
+    /// Brings everything up to date after an edit of the shot. The picture, which was that of the
+    /// revision `before`, stays where the edit is an annotation.
+    pub(super) fn shot_was_edited(
+        &mut self,
+        before: Option<DocumentRevision>,
+        is_structural: bool,
+    ) {
         let look = self.look().clone();
-        self.scene_changed();
+        self.scene_was_edited(before);
         if *self.look() != look {
             self.revisions.meaning.advance();
             self.changed(is_structural);
