@@ -24,6 +24,7 @@ const WORDS: [(&str, Text); 17] = [
     ("color", text!("scene" => "Color")),
     ("outlines", text!("scene" => "Outlines")),
 ];
+
 /// Owner and name of a value of the scene, by its address.
 pub(crate) fn of(target: &str) -> [String; 2] {
     let word = |name: &str| match WORDS.iter().find(|(known, _)| *known == name) {
@@ -52,7 +53,10 @@ mod tests {
         assert_eq!(said("camera.eye"), "Camera: Eye");
         assert_eq!(said("backdrop"), "Scene: Backdrop");
         assert_eq!(said("lights.sun.intensity"), "sun: Intensity");
-        assert!(said("objects.hob.transform.translate").starts_with("hob: "));
+        assert_eq!(said("objects.hob.transform.translate"), "hob: Place");
+        assert_eq!(said("objects.hob.transform.rotate"), "hob: Turn");
+        assert_eq!(said("objects.hob.transform.scale"), "hob: Scale");
+        assert_eq!(said("objects.hob.values.rim_width"), "hob: Rim width");
         assert!(said("light_groups.dusk.exposure").starts_with("dusk: "));
     }
 }

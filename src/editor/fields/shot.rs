@@ -16,7 +16,7 @@ use crate::state::keying::Owner;
 use crate::state::reading::{of_library, spoken};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
-use crate::state::shot::{OpenShot, ShotAddress};
+use crate::state::shot::{OpenShot, ShotAddress, key_at};
 use crate::widgets::theme;
 
 /// A value of a document, with the change that a shot makes of it.
@@ -175,14 +175,9 @@ impl<'s> ChangedRow<'s> {
     pub(crate) fn of_object(session: &'s Session, id: &ObjectId) -> Self {
         let prefix = format!("objects.{id}.");
         let named = |changed: ChangedValue<'s>| {
-            let field = changed.change.target.strip_prefix(&prefix)?;
-            let label = match field {
-                "transform.translate" => tr!("value" => "Place").to_owned(),
-                "transform.rotate" => tr!("value" => "Turn").to_owned(),
-                "transform.scale" => tr!("value" => "Scale").to_owned(),
-                field => spoken(field),
-            };
-            Some((label, changed))
+            let target = &changed.change.target;
+            let [_, label] = scene_names::of(target);
+            target.starts_with(&prefix).then_some((label, changed))
         };
         let own = ChangedValue::all(session, Owner::Scene).filter_map(named);
         Self(own.chain(of_looks(session, id)).collect())
@@ -301,7 +296,7 @@ fn is_key_here(session: &Session, change: &ValueChange) -> bool {
     let own = shot.and_then(|shot| Some((shot.own(&ShotAddress::of(change))?, shot.rate())));
     own.is_some_and(|(own, rate)| {
         let now = rate.frame_within(session.view.time);
-        own.keys.iter().any(|key| (key.frame - now).abs() < 1e-3)
+        key_at(&own.keys, now).is_some()
     })
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::compile::{CompileOptions, CompiledShader, Live, TypedGraph, check, compile_typed};
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::document::Look;
+use crate::document::{DocumentRevision, Look};
 use crate::ids::{NodePath, PortName};
 use crate::library::{Library, Type};
 use crate::milestones;
@@ -24,6 +24,8 @@ pub(crate) struct CompileRequest {
     pub(crate) document: DocumentNumber,
     /// Revision of the document.
     pub(crate) revision: LookRevision,
+    /// Revision of the last change that a picture may show.
+    pub(crate) picture: DocumentRevision,
     /// Revision of the document's structure; other values with the same structure are shown by the
     /// same live shader.
     pub(crate) structure: LookRevision,

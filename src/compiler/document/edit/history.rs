@@ -26,6 +26,12 @@ pub trait Editable {
     /// True if the older of two inverses also undoes what the newer one would: both set the same
     /// value.
     fn covers(older: &Self::Edit, newer: &Self::Edit) -> bool;
+
+    /// True for an edit that no picture shows, nor its inverse: of names, texts, markers, and places
+    /// on the canvas.
+    fn is_annotation(_edit: &Self::Edit) -> bool {
+        false
+    }
 }
 
 /// Revision of a document with a past: the number of changes, undos and redos so far.
@@ -48,6 +54,8 @@ pub struct History<D: Editable> {
     done: Vec<Step<D::Edit>>,
     undone: Vec<Step<D::Edit>>,
     revision: DocumentRevision,
+    /// Revision of the last change that a picture may show.
+    picture: DocumentRevision,
     /// Revision at which the document's state first came about: undo brings the old one back.
     state: DocumentRevision,
     /// State that a file holds.
@@ -81,6 +89,7 @@ impl<D: Editable> History<D> {
             done: Vec::new(),
             undone: Vec::new(),
             revision: DocumentRevision::default(),
+            picture: DocumentRevision::default(),
             state: DocumentRevision::default(),
             saved: DocumentRevision::default(),
         }
@@ -122,7 +131,7 @@ impl<D: Editable> History<D> {
             return self.document.edit(inverse, true).map(drop);
         }
         let before = self.state;
-        self.revision.advance();
+        self.advance(D::is_annotation(&inverse));
         self.state = self.revision;
         self.undone.clear();
         match self.done.last_mut() {
@@ -155,12 +164,20 @@ impl<D: Editable> History<D> {
 
     /// Applies a step and returns the step that undoes it.
     fn turn(&mut self, step: Step<D::Edit>) -> Step<D::Edit> {
+        let is_annotation = step.edits.iter().all(D::is_annotation);
         let back = super::all_or_none(&mut self.document, step.edits, true);
         debug_assert!(back.is_ok(), "an inverse applies to what its edit made: {back:?}");
-        self.revision.advance();
+        self.advance(is_annotation);
         let before = std::mem::replace(&mut self.state, step.state);
         // A gesture that was undone is over.
         Step { label: step.label, gesture: None, edits: back.unwrap_or_default(), state: before }
+    }
+
+    fn advance(&mut self, is_annotation: bool) {
+        self.revision.advance();
+        if !is_annotation {
+            self.picture = self.revision;
+        }
     }
 
     /// Label of the step that [`undo`](Self::undo) would take back.
@@ -188,6 +205,11 @@ impl<D: Editable> History<D> {
         self.revision
     }
 
+    /// Revision of the last change that a picture may show: annotations do not count.
+    pub fn picture_revision(&self) -> DocumentRevision {
+        self.picture
+    }
+
     /// Notes that the document is saved as it is now.
     pub fn mark_saved(&mut self) {
         self.saved = self.state;
@@ -204,7 +226,7 @@ impl<D: Editable> History<D> {
     /// all name is renamed. The replacement is no step, and cannot be undone.
     pub fn amend(&mut self, document: D, change: impl FnMut(&mut D::Edit)) {
         self.document = document;
-        self.revision.advance();
+        self.advance(false);
         let steps = self.done.iter_mut().chain(&mut self.undone);
         steps.flat_map(|step| &mut step.edits).for_each(change);
     }
@@ -253,7 +275,7 @@ impl<D: Editable> History<D> {
         numbers: HistoryNumbers,
     ) -> Self {
         let HistoryNumbers { revision, state, saved } = numbers;
-        Self { document, done, undone, revision, state, saved }
+        Self { document, done, undone, revision, picture: revision, state, saved }
     }
 
     /// Ends the current gesture, if any: the next edit is a step of its own.

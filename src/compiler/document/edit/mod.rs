@@ -257,6 +257,23 @@ impl Editable for Look {
         matches!(edit, Edit::Group { edits } if edits.is_empty())
     }
 
+    fn is_annotation(edit: &Edit) -> bool {
+        match edit {
+            Edit::Group { edits } => edits.iter().all(Self::is_annotation),
+            Edit::MoveNodes { .. }
+            | Edit::SetCollapsed { .. }
+            | Edit::AddNote { .. }
+            | Edit::SetNote { .. }
+            | Edit::RemoveNote { .. }
+            | Edit::SetBookmarks { .. }
+            | Edit::SetMarkers { .. }
+            | Edit::SetLookName { .. }
+            | Edit::SetLookAbout { .. }
+            | Edit::SetLookTags { .. } => true,
+            _ => false,
+        }
+    }
+
     fn covers(older: &Edit, newer: &Edit) -> bool {
         match (older, newer) {
             (

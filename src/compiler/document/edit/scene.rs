@@ -218,6 +218,16 @@ impl Editable for Scene {
         matches!(edit, SceneEdit::Group { edits } if edits.is_empty())
     }
 
+    fn is_annotation(edit: &SceneEdit) -> bool {
+        match edit {
+            SceneEdit::Group { edits } => edits.iter().all(Self::is_annotation),
+            SceneEdit::SetSceneName { .. }
+            | SceneEdit::SetSceneAbout { .. }
+            | SceneEdit::SetMarkers { .. } => true,
+            _ => false,
+        }
+    }
+
     fn covers(older: &SceneEdit, newer: &SceneEdit) -> bool {
         match (older, newer) {
             (SceneEdit::SetObject { id: a, .. }, SceneEdit::SetObject { id: b, .. }) => a == b,

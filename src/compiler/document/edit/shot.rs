@@ -158,6 +158,14 @@ impl Editable for Shot {
         }
     }
 
+    fn is_annotation(edit: &ShotEdit) -> bool {
+        match edit {
+            ShotEdit::Group { edits } => edits.iter().all(Self::is_annotation),
+            ShotEdit::SetShotName { .. } | ShotEdit::SetShotMarkers { .. } => true,
+            _ => false,
+        }
+    }
+
     fn covers(older: &ShotEdit, newer: &ShotEdit) -> bool {
         match (older, newer) {
             (

@@ -15,7 +15,8 @@ use super::described::described;
 use super::rate::FrameRate;
 use super::shape::{FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
 use super::timing::{
-    Extrapolation, HANDLES, HandlePair, MAX_MARKERS, ShotMarker, TimeInterpolation, TrackEnds,
+    Extrapolation, HANDLES, HandlePair, MAX_MARKERS, ShotMarker, TimeInterpolation, TimeKey,
+    TrackEnds,
 };
 use super::value::Value;
 use super::word::WordChoice as _;
@@ -134,6 +135,24 @@ impl ShotKey {
             handles: HandlePair::Aligned,
             unknown: UnknownFields::new(),
         }
+    }
+
+    /// The key as one of a track whose times are frames.
+    pub fn timed(&self) -> TimeKey {
+        let (incoming, outgoing) = (self.incoming.clone(), self.outgoing.clone());
+        TimeKey {
+            incoming,
+            outgoing,
+            handles: self.handles,
+            unknown: self.unknown.clone(),
+            ..TimeKey::new(self.frame, self.value.clone(), self.interpolation)
+        }
+    }
+
+    /// The key of a track whose times are frames.
+    pub fn of_frames(key: TimeKey) -> Self {
+        let TimeKey { time, value, interpolation, incoming, outgoing, handles, unknown } = key;
+        Self { frame: time, value, interpolation, incoming, outgoing, handles, unknown }
     }
 }
 

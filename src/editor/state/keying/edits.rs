@@ -2,13 +2,13 @@
 
 use indexmap::IndexMap;
 
-use super::KeyedLook;
-use super::{KeyedBy, rounded, targets_of};
+use super::split::with_key;
+use super::{KeyedBy, KeyedLook, rounded, targets_of};
 use crate::document::{
     DirectionKey, DirectionKeys, Edit, GraphId, KeyDirection, KeyScheme, Target, TimeInterpolation,
     TimeKey, TimeKeys, UnknownFields, Value,
 };
-use crate::frame::set_light_field;
+use crate::frame::{Track, set_light_field};
 use crate::ids::NodeId;
 use crate::library::Fallback;
 
@@ -124,14 +124,23 @@ impl KeyedLook<'_> {
         self.change_track(track, |keys| put(keys, time, value))
     }
 
+    /// The edit that adds a key to a track which leaves its curve as it is.
+    pub(crate) fn add_in_time(self, track: usize, time: f64) -> Edit {
+        self.change_track(track, |track| {
+            if let Some(keys) = with_key(Track::of(track), time) {
+                track.keys = keys;
+            }
+        })
+    }
+
     /// The edit that keys a target at the playhead, with its present value.
     pub(crate) fn key_in_time(self, target: &Target) -> Option<Edit> {
-        let value = self.value_now(target)?;
         if let Some(track) =
             self.base.look.time_keys.iter().position(|track| track.target == *target)
         {
-            return Some(self.set_in_time(track, self.view.time, value));
+            return Some(self.add_in_time(track, self.view.time));
         }
+        let value = self.value_now(target)?;
         let mut keys = TimeKeys::new(target.clone());
         put(&mut keys, self.view.time, value);
         Some(self.grounded(Some(target), Edit::AddTimeKeys { keys, index: None }))

@@ -9,6 +9,7 @@ mod edits;
 mod follow;
 pub(crate) mod retime;
 mod scene;
+pub(crate) mod split;
 mod together;
 
 pub(crate) use drivers::said;

@@ -174,6 +174,15 @@ impl OpenScene {
         self.document.apply(edit, gesture, now)
     }
 
+    /// Revision of the last change that a picture may show, of the scene, or of the shot that makes
+    /// it what it is.
+    pub(crate) fn picture_revision(&self) -> DocumentRevision {
+        match &self.shot {
+            Some(shot) => shot.document.history.picture_revision(),
+            None => self.document.history.picture_revision(),
+        }
+    }
+
     pub(crate) fn undo(&mut self) -> bool {
         self.document.undo()
     }
@@ -183,7 +192,7 @@ impl OpenScene {
     }
 
     /// Finds anew the looks that the objects wear; `open` is the file of the open look. `revision`
-    /// grows with each call.
+    /// grows with each change that a picture may show.
     pub(crate) fn sync(
         &mut self,
         open: Option<&Path>,

@@ -27,7 +27,7 @@ use std::sync::Arc;
 use chiaro_locale::{Text, text, tr};
 
 use crate::diag::{Diagnostic, Severity};
-use crate::document::{Document, Edit, Graph, History, Look, SourceMap};
+use crate::document::{Document, DocumentRevision, Edit, Graph, History, Look, SourceMap};
 use crate::files::{Disk, SharedFiles, write_atomic};
 use crate::frame::AssetStore;
 use crate::ids::{LightId, NodeId};
@@ -52,7 +52,7 @@ use crate::state::wire::ShownWire;
 pub(crate) use nodes::NodeFiles;
 use parts::{Compilation, Journals, Project, Revisions, Sketchbook};
 pub(crate) use shading::DrawableLook;
-use shading::{ShaderCache, is_layout};
+use shading::ShaderCache;
 
 /// Session of one open look.
 pub struct Session {
@@ -498,41 +498,54 @@ impl Session {
             return self.apply_look_to_shot(edit, gesture);
         }
         let is_structural = self.compilation.shaders.is_structural(&edit, self.look_with_library());
-        let means = !is_layout(&edit);
+        let before = self.look.history.picture_revision();
         self.compilation.shaders.touch(&edit);
         if self.look.apply(edit, gesture, time)? {
             self.step_done();
-            if means {
-                self.revisions.meaning.advance();
-            }
-            self.changed(is_structural);
+            self.was_edited(before, is_structural);
         }
         Ok(())
     }
 
     fn undo_look(&mut self) -> bool {
+        let before = self.look.history.picture_revision();
         let did = self.look.undo();
         if did {
-            self.revisions.meaning.advance();
-            self.changed(true);
+            self.was_edited(before, true);
         }
         did
     }
 
     fn redo_look(&mut self, now: StepTime) -> bool {
-        let before = self.look.times.next();
+        let next = self.look.times.next();
+        let before = self.look.history.picture_revision();
         let did = self.look.redo(now);
         if did {
-            if let Some(label) = before.and_then(|time| self.named_steps.remove(&time)) {
+            if let Some(label) = next.and_then(|time| self.named_steps.remove(&time)) {
                 self.named_steps.insert(now, label);
             }
-            self.revisions.meaning.advance();
-            self.changed(true);
+            self.was_edited(before, true);
         }
         did
     }
 
+    /// Brings everything up to date after an edit of the look. Meaning and picture, which were
+    /// those of the revision `before`, stay where the edit is an annotation.
+    fn was_edited(&mut self, before: DocumentRevision, is_structural: bool) {
+        let is_seen = self.look.history.picture_revision() != before;
+        if is_seen {
+            self.revisions.meaning.advance();
+            self.revisions.picture.advance();
+        }
+        self.sync_look(is_structural && is_seen);
+    }
+
     fn changed(&mut self, is_structural: bool) {
+        self.revisions.picture.advance();
+        self.sync_look(is_structural);
+    }
+
+    fn sync_look(&mut self, is_structural: bool) {
         self.set_preview(None);
         if is_structural {
             self.compilation.shaders.structure = self.revision();
@@ -550,7 +563,6 @@ impl Session {
             .wire
             .take()
             .filter(|wire| wire.node.outermost().is_some_and(|id| nodes.contains_key(id)));
-        self.revisions.picture.advance();
     }
 
     /// Problems of the files, the look and the picture.

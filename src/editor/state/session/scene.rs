@@ -6,7 +6,7 @@ use chiaro_locale::tr;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::{LoadedDocument, Scene, SceneEdit};
+use crate::document::{DocumentRevision, LoadedDocument, Scene, SceneEdit};
 use crate::examples;
 use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::ids::ObjectId;
@@ -156,6 +156,19 @@ impl Session {
     /// Brings the picture's part of the scene up to date.
     pub(super) fn scene_changed(&mut self) {
         self.revisions.picture.advance();
+        self.sync_scene();
+    }
+
+    /// Brings the scene up to date after an edit of it, or of the shot over it. The picture, which
+    /// was that of the revision `before`, stays where the edit is an annotation.
+    pub(super) fn scene_was_edited(&mut self, before: Option<DocumentRevision>) {
+        if self.open_scene().map(OpenScene::picture_revision) != before {
+            self.revisions.picture.advance();
+        }
+        self.sync_scene();
+    }
+
+    fn sync_scene(&mut self) {
         if self.shot().is_some() {
             self.resolve_shot();
             self.revisions.problems.advance();
@@ -192,9 +205,10 @@ impl Session {
             return Err(Box::new(Diagnostic::error("impossible-edit", tr!("no scene is open"))));
         };
         self.revisions.step.advance();
+        let before = Some(open_scene.picture_revision());
         if open_scene.apply(edit, gesture, self.revisions.step)? {
             self.look.end_gesture();
-            self.scene_changed();
+            self.scene_was_edited(before);
         }
         Ok(())
     }

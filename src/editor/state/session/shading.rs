@@ -8,7 +8,9 @@ use std::time::Duration;
 use super::Session;
 use crate::compile::{CompiledShader, Live, TypedGraph};
 use crate::diag::WithWarnings;
-use crate::document::{DirectionKeys, Edit, GraphId, Look, Target, Value};
+use crate::document::{
+    DirectionKeys, DocumentRevision, Edit, Editable, GraphId, Look, Target, Value,
+};
 use crate::ids::{NodePath, PortName};
 use crate::library::Fallback;
 use crate::state::compiling::{CompileAnswer, CompileRequest};
@@ -33,6 +35,8 @@ pub(crate) struct ShaderCache {
     pub(super) baked: Option<Arc<CompiledShader>>,
     /// Typed look that both shaders were compiled from.
     pub(super) typed: Option<Arc<TypedGraph>>,
+    /// Revision of the last change that the picture of `good` may show.
+    pub(super) good_picture: Option<DocumentRevision>,
     /// Revision of the document that the baked shader shows.
     pub(super) baked_revision: Option<LookRevision>,
     /// Revision of the last edit that a live shader cannot show.
@@ -111,7 +115,7 @@ impl ShaderCache {
     pub(super) fn is_structural(&self, edit: &Edit, look: LookWithLibrary<'_>) -> bool {
         match edit {
             Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit, look)),
-            edit if is_layout(edit) => false,
+            edit if Look::is_annotation(edit) => false,
             // Uniforms of a long look are identified by paths, and a group's node lies at many of
             // them.
             Edit::SetValue { graph: GraphId::Definition(_), .. } if self.is_long() => true,
@@ -173,24 +177,6 @@ impl ShaderCache {
     }
 }
 
-/// True if an edit changes only the layout of the graph on the canvas, notes, or descriptions.
-pub(super) fn is_layout(edit: &Edit) -> bool {
-    match edit {
-        Edit::Group { edits } => edits.iter().all(is_layout),
-        Edit::MoveNodes { .. }
-        | Edit::SetCollapsed { .. }
-        | Edit::AddNote { .. }
-        | Edit::SetNote { .. }
-        | Edit::RemoveNote { .. }
-        | Edit::SetBookmarks { .. }
-        | Edit::SetMarkers { .. }
-        | Edit::SetLookName { .. }
-        | Edit::SetLookAbout { .. }
-        | Edit::SetLookTags { .. } => true,
-        _ => false,
-    }
-}
-
 impl Session {
     /// Requests shaders that must be compiled, and takes those that are. `now` is in seconds of the
     /// window's clock. Returns the time until the next call.
@@ -243,6 +229,7 @@ impl Session {
             },
             document: self.revisions.document,
             revision: self.revision(),
+            picture: self.look.history.picture_revision(),
             structure: self.compilation.shaders.structure,
             touched: self.compilation.shaders.touched.clone(),
             wire: self.view.wire.clone().map(|wire| {
@@ -279,6 +266,12 @@ impl Session {
         match result {
             Ok(WithWarnings { value: shaders, warnings }) => {
                 self.compilation.problems = warnings;
+                // Baked anew after an annotation, the picture is the same.
+                let picture = Some(request.picture);
+                let was = std::mem::replace(&mut self.compilation.shaders.good_picture, picture);
+                if shaders.live.is_some() || was != picture {
+                    self.revisions.picture.advance();
+                }
                 if let Some(live) = shaders.live {
                     self.compilation.shaders.live = Some(live);
                     self.compilation.shaders.live_structure = Some(request.structure);
@@ -288,7 +281,6 @@ impl Session {
                 self.key_evaluation.forget();
                 self.compilation.shaders.baked_revision = Some(request.revision);
                 self.compilation.shaders.good = Some(request.look);
-                self.revisions.picture.advance();
             }
             // The last good picture stays.
             Err(problems) => self.compilation.problems = problems,

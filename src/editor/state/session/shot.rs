@@ -10,7 +10,8 @@ use serde_json::Value as Json;
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{
-    ColorSpace, Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit, Target, Value, keyed_target,
+    BlendKind, ColorSpace, DocumentRevision, Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit,
+    Target, Value, keyed_target,
 };
 use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::film::{color_space, color_text};
@@ -283,20 +284,31 @@ impl Session {
         let Some(shot) = self.shot_mut() else {
             return Err(Box::new(Diagnostic::error("impossible-edit", tr!("no shot is open"))));
         };
+        let before = Some(shot.document.history.picture_revision());
         if shot.document.apply(edit, gesture, now)? {
             self.revisions.step.advance();
             if let Some(work) = &mut self.painting {
                 work.end_gesture();
             }
-            self.shot_changed(is_structural);
+            self.shot_was_edited(before, is_structural);
         }
         Ok(())
     }
 
     /// Brings everything up to date after the shot changed.
-    pub(super) fn shot_changed(&mut self, is_structural: bool) {
+    fn shot_changed(&mut self, is_structural: bool) {
+        self.shot_was_edited(None, is_structural);
+    }
+
+    /// Brings everything up to date after an edit of the shot. The picture, which was that of the
+    /// revision `before`, stays where the edit is an annotation.
+    pub(super) fn shot_was_edited(
+        &mut self,
+        before: Option<DocumentRevision>,
+        is_structural: bool,
+    ) {
         let look = self.look().clone();
-        self.scene_changed();
+        self.scene_was_edited(before);
         if *self.look() != look {
             self.revisions.meaning.advance();
             self.changed(is_structural);
@@ -319,7 +331,8 @@ impl Session {
         self.apply_to_shot(edit, None)
     }
 
-    /// Keys a value at the present frame, with its present value: the first key, or one more.
+    /// Keys a value at the present frame, with its present value: the first key, or one more, which
+    /// leaves the curve as it is.
     ///
     /// # Errors
     /// The value has none that could be keyed.
@@ -330,7 +343,7 @@ impl Session {
         };
         let Some(shot) = self.shot() else { return Ok(()) };
         let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
-        writer.key_here(&at.target, value);
+        writer.add_key(&at.target, value, self.blend_at(at));
         match writer.finish() {
             Some(edit) => self.apply_to_shot(edit, None),
             None => Ok(()),
@@ -351,6 +364,15 @@ impl Session {
             }
             Some(_) => shot.own(at)?.value.clone(),
         }
+    }
+
+    /// The way in which a value goes from key to key.
+    fn blend_at(&self, at: &ShotAddress) -> BlendKind {
+        let place = match at.look {
+            None => self.open_scene().and_then(|it| it.scene().value_at(&at.target).ok()),
+            Some(_) => self.look().value_at(&at.target).ok(),
+        };
+        place.map_or(BlendKind::Numbers, |place| place.blend)
     }
 
     /// The change that a shot makes of a value of the open look or of the scene, by its target.
@@ -486,6 +508,51 @@ pub(crate) fn json_text(json: &Json) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::{ShotKey, TimeKey};
+    use crate::frame::Track;
+    use crate::library::Library;
+
+    /// Numbers of the open shot's own keys of a value at frames, at places half a frame apart.
+    fn curve(session: &Session, at: &ShotAddress) -> Vec<f64> {
+        let own = session.shot().unwrap().own(at).unwrap();
+        let keys: Vec<TimeKey> = own.keys.iter().map(ShotKey::timed).collect();
+        let track = Track { keys: &keys, ends: own.ends(), turns: false };
+        let number = |value: Option<Value>| match value {
+            Some(Value::Number(x)) => x,
+            other => panic!("{other:?}"),
+        };
+        (0..=30).map(|i| number(track.at(0.5 * f64::from(i)))).collect()
+    }
+
+    #[test]
+    fn a_key_that_is_added_bends_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+        put("scene.json", r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#);
+        put(
+            "shot.json",
+            r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
+                "overrides": [{"target": "camera.height", "keys": [
+                {"frame": 1, "value": 1, "interpolation": "bezier"},
+                {"frame": 6, "value": 2, "interpolation": "bezier"},
+                {"frame": 12, "value": 6, "interpolation": "bezier"}]}]}"#,
+        );
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&folder.path().join("shot.json")).unwrap();
+        let at = ShotAddress { look: None, target: "camera.height".to_owned() };
+        let before = curve(&session, &at);
+        for frame in [9, 3, 12, 14] {
+            session.view.time = session.shot().unwrap().rate().time(frame);
+            session.show_shot_at_time(false);
+            session.key_in_shot(&at).unwrap();
+            let after = curve(&session, &at);
+            let off = before.iter().zip(&after).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-9, "{off} by a key at {frame}");
+        }
+        let frames: Vec<f64> =
+            session.shot().unwrap().own(&at).unwrap().keys.iter().map(|key| key.frame).collect();
+        assert_eq!(frames, [1.0, 3.0, 6.0, 9.0, 12.0, 14.0]);
+    }
 
     #[test]
     fn keys_are_told_with_their_frames() {

@@ -280,15 +280,16 @@ impl Session {
     }
 
     fn undo_in(&mut self, of: DocumentKind) -> bool {
+        let before = self.open_scene().map(OpenScene::picture_revision);
         match (of, &mut self.open_scene, &mut self.painting) {
             (DocumentKind::Scene, Some(open_scene), _) => {
                 let did = open_scene.undo();
-                self.scene_changed();
+                self.scene_was_edited(before);
                 did
             }
             (DocumentKind::Shot, ..) => {
                 let did = self.shot_mut().is_some_and(|shot| shot.document.undo());
-                self.shot_changed(true);
+                self.shot_was_edited(before, true);
                 did
             }
             (DocumentKind::Painting, _, Some(work)) => {
@@ -323,15 +324,16 @@ impl Session {
     }
 
     fn redo_in(&mut self, of: DocumentKind, now: StepTime) -> bool {
+        let before = self.open_scene().map(OpenScene::picture_revision);
         match (of, &mut self.open_scene, &mut self.painting) {
             (DocumentKind::Scene, Some(open_scene), _) => {
                 let did = open_scene.redo(now);
-                self.scene_changed();
+                self.scene_was_edited(before);
                 did
             }
             (DocumentKind::Shot, ..) => {
                 let did = self.shot_mut().is_some_and(|shot| shot.document.redo(now));
-                self.shot_changed(true);
+                self.shot_was_edited(before, true);
                 did
             }
             (DocumentKind::Painting, _, Some(work)) => {

@@ -107,12 +107,8 @@ pub(super) fn camera_overrides(first: i32, cameras: &[Camera]) -> Vec<Override> 
     let moving: Vec<&CameraPath> = paths.iter().filter(|path| path.moves()).collect();
     let frames = key_frames(&moving, cameras.len() - 1);
     let overridden = |path: &CameraPath| {
-        let key = |key: TimeKey| ShotKey {
-            incoming: key.incoming,
-            outgoing: key.outgoing,
-            handles: key.handles,
-            ..ShotKey::new(f64::from(first) + key.time, key.value, key.interpolation)
-        };
+        let key =
+            |key: TimeKey| ShotKey::of_frames(TimeKey { time: f64::from(first) + key.time, ..key });
         let moves = path.moves();
         Override {
             look: None,
@@ -189,12 +185,7 @@ mod tests {
 
     /// The value of an override at a frame.
     fn at(change: &Override, frame: f64) -> Vec<f64> {
-        let key = |key: &ShotKey| TimeKey {
-            incoming: key.incoming.clone(),
-            outgoing: key.outgoing.clone(),
-            ..TimeKey::new(key.frame, key.value.clone(), key.interpolation)
-        };
-        let keys: Vec<TimeKey> = change.keys.iter().map(key).collect();
+        let keys: Vec<TimeKey> = change.keys.iter().map(ShotKey::timed).collect();
         let ends = TrackEnds { before: Extrapolation::Hold, after: Extrapolation::Hold };
         let track = Track { keys: &keys, ends, turns: change.target == "camera.up" };
         match track.at(frame).or(change.value.clone()) {

@@ -15,7 +15,7 @@ use serde_json::json;
 use crate::diag::Diagnostic;
 use crate::document::{
     Camera, Document, FrameRate, History, LoadedDocument, Look, Override, Scene, Shot, ShotEdit,
-    SourceMap, TimeRange, value_address,
+    ShotKey, SourceMap, TimeRange, value_address,
 };
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::files::{Files, write_atomic};
@@ -32,6 +32,9 @@ const NEW_FRAMES: [i32; 2] = [1, 48];
 const NEW_SIZE: [u32; 2] = [1920, 1080];
 /// Greatest number of frames of a shot whose camera is keyed at once.
 const MOST_CAMERAS: i64 = 10_000;
+/// Greatest distance of a key from a place that counts as on it, in frames: times are rounded to
+/// microseconds.
+pub(crate) const ON_FRAME: f64 = 1e-3;
 /// Name in the journal of the place from which a shot names files.
 const PLACE: &str = "place";
 
@@ -475,6 +478,11 @@ impl OpenShot {
         let source = Some(self.document.file.source.text().clone());
         self.document.begin_journal(about, source, slot);
     }
+}
+
+/// Index of the key at a frame, or a place between two.
+pub(crate) fn key_at(keys: &[ShotKey], frame: f64) -> Option<usize> {
+    keys.iter().position(|key| (key.frame - frame).abs() < ON_FRAME)
 }
 
 /// A place beside a file where no file is.

@@ -3,15 +3,15 @@
 use chiaro_locale::tr;
 use serde_json::Value as Json;
 
-use super::{OpenShot, ShotAddress};
+use super::{OpenShot, ShotAddress, key_at};
 use crate::diag::Diagnostic;
 use crate::document::{
-    ChangedTo, Extrapolation, FrameRate, Override, Scene, ShotEdit, ShotKey, TimeInterpolation,
-    TimeKey, TimeKeys, TimeRange, Value, ValueDifference, json_of_value,
+    BlendKind, ChangedTo, Extrapolation, FrameRate, Override, Scene, ShotEdit, ShotKey,
+    TimeInterpolation, TimeKey, TimeKeys, TimeRange, UnknownFields, Value, ValueDifference,
+    json_of_value,
 };
-
-/// Greatest distance of two keys that counts as one place, in frames.
-const ON_FRAME: f64 = 1e-4;
+use crate::frame::Track;
+use crate::state::keying::split::with_key;
 
 /// Writer of overrides, at a time.
 pub(crate) struct ShotWriter<'s> {
@@ -124,17 +124,42 @@ impl<'s> ShotWriter<'s> {
         let at = self.at(target);
         let mut change = self.keyed_override(&at);
         let keys = &mut change.keys;
-        let place = keys.iter().position(|key| key.frame > self.frame - ON_FRAME);
-        let place = place.unwrap_or(keys.len());
-        match keys.get_mut(place).filter(|key| (key.frame - self.frame).abs() < ON_FRAME) {
-            Some(key) => key.value = value,
+        match key_at(keys, self.frame) {
+            Some(place) => keys[place].value = value,
             None => {
+                let place = keys.partition_point(|key| key.frame < self.frame);
                 let before = keys.get(place.wrapping_sub(1)).map(|key| key.interpolation);
                 let interpolation = before.unwrap_or(TimeInterpolation::Bezier);
                 keys.insert(place, ShotKey::new(self.frame, value, interpolation));
             }
         }
         self.edits.push(ShotEdit::set_override(change));
+    }
+
+    /// Adds a key at the present frame that leaves the curve of the standing keys as it is; of a
+    /// value without keys, the first one, with `value`.
+    pub(crate) fn add_key(&mut self, target: &str, value: Value, blend: BlendKind) {
+        let mut change = self.keyed_override(&self.at(target));
+        if key_at(&change.keys, self.frame).is_some() {
+            return;
+        }
+        let keys: Vec<TimeKey> = change.keys.iter().map(ShotKey::timed).collect();
+        // Quaternions of either sign are the same rotation: between these there is no curve.
+        let turns_back = |pair: &[TimeKey]| match (&pair[0].value, &pair[1].value) {
+            (Value::Vector(a), Value::Vector(b)) => {
+                a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() < 0.0
+            }
+            _ => false,
+        };
+        let has_curve = blend != BlendKind::Rotation || !keys.windows(2).any(turns_back);
+        let track = Track { keys: &keys, ends: change.ends(), turns: blend != BlendKind::Numbers };
+        match with_key(track, self.frame).filter(|_| has_curve) {
+            Some(keys) => {
+                change.keys = keys.into_iter().map(ShotKey::of_frames).collect();
+                self.edits.push(ShotEdit::set_override(change));
+            }
+            None => self.key_here(target, value),
+        }
     }
 
     /// The override that is to have keys: this shot's own, with the keys and the step of the one
@@ -154,11 +179,14 @@ impl<'s> ShotWriter<'s> {
         let in_frames = |handles: &[[f64; 2]]| {
             handles.iter().map(|[time, value]| [time * rate.per_second(), *value]).collect()
         };
-        let key = |key: &TimeKey| ShotKey {
-            incoming: in_frames(&key.incoming),
-            outgoing: in_frames(&key.outgoing),
-            handles: key.handles,
-            ..ShotKey::new(rate.frame_within(key.time), key.value.clone(), key.interpolation)
+        let key = |key: &TimeKey| {
+            ShotKey::of_frames(TimeKey {
+                time: rate.frame_within(key.time),
+                incoming: in_frames(&key.incoming),
+                outgoing: in_frames(&key.outgoing),
+                unknown: UnknownFields::new(),
+                ..key.clone()
+            })
         };
         change.keys = track.keys.iter().map(key).collect();
         (change.before, change.after) = (track.before, track.after);

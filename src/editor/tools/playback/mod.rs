@@ -4,7 +4,8 @@
 //! The timeline's clock says where the playhead is; here is decided which frame is drawn next. A
 //! frame depends on the documents, the view, the size and its time. Once one of the former changes
 //! no frame is kept any more, but pictures are: their key is the hash of the frame's plan, so that
-//! frames that are equal, also after an edit that was undone, are drawn once.
+//! frames that are equal, also after an edit that was undone, are drawn once. Names, texts and
+//! markers change no picture, and so no frame.
 
 pub(crate) mod cache;
 pub(crate) mod drawing;
@@ -509,7 +510,68 @@ impl PictureTools {
 
 #[cfg(test)]
 mod tests {
+    use super::cache::PictureKey;
+    use super::order::{LoopMode, Round};
     use super::*;
+    use crate::document::{Edit, Marker, SceneEdit, Shot, ShotEdit, ShotMarker};
+    use crate::library::Library;
+
+    /// Frames that are kept after a session was changed, of one that was kept before.
+    fn kept_after(session: &mut Session, change: impl FnOnce(&mut Session)) -> usize {
+        let mut playback = Playback::new(None);
+        playback.notice_changes(session, [2, 2], 24.0);
+        let order = PlayOrder { round: Round::new([0, 9], LoopMode::Loop), step: 0 };
+        let image = Arc::new(ColorImage::filled([2, 2], eframe::egui::Color32::RED));
+        playback.cache.insert(0, (PictureKey(1), image, 16), order);
+        change(session);
+        playback.notice_changes(session, [2, 2], 24.0);
+        playback.cache.frames().count()
+    }
+
+    #[test]
+    fn frames_stay_while_only_names_and_markers_change() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+        put("scene.json", r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#);
+        put("shot.json", r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12]}"#);
+        let new = || Session::new(Arc::new(Library::built_in().clone()), || {});
+        let marker = || Marker { time: 1.0, name: "hit".to_owned(), unknown: Default::default() };
+
+        let mut look = new();
+        let markers = Edit::SetMarkers { markers: vec![marker()] };
+        assert_eq!(kept_after(&mut look, |it| it.apply(markers, None).unwrap()), 1);
+        assert_eq!(kept_after(&mut look, |it| assert!(it.undo())), 1);
+        assert_eq!(kept_after(&mut look, |it| assert!(it.redo())), 1);
+        let darker = Edit::SetMaxError { max_error: 0.5 };
+        assert_eq!(kept_after(&mut look, |it| it.apply(darker, None).unwrap()), 0);
+        assert_eq!(kept_after(&mut look, |it| assert!(it.undo())), 0);
+
+        let mut scene = new();
+        scene.open(&folder.path().join("scene.json")).unwrap();
+        let markers = SceneEdit::SetMarkers { markers: vec![marker()] };
+        assert_eq!(kept_after(&mut scene, |it| it.apply_to_scene(markers, None).unwrap()), 1);
+        assert_eq!(kept_after(&mut scene, |it| assert!(it.undo())), 1);
+        let backdrop = SceneEdit::SetBackdrop { color: Some([0.0, 0.0, 0.5, 1.0]) };
+        assert_eq!(kept_after(&mut scene, |it| it.apply_to_scene(backdrop, None).unwrap()), 0);
+
+        let mut shot = new();
+        shot.open(&folder.path().join("shot.json")).unwrap();
+        let hit = ShotMarker { frame: 6, name: "hit".to_owned(), unknown: Default::default() };
+        let named = ShotEdit::Group {
+            edits: vec![
+                ShotEdit::SetShotMarkers { markers: vec![hit] },
+                ShotEdit::SetShotName { name: "sh010".to_owned() },
+            ],
+        };
+        assert_eq!(kept_after(&mut shot, |it| it.apply_to_shot(named, None).unwrap()), 1);
+        let shot_of = |session: &Session| -> Shot { session.shot().unwrap().shot().clone() };
+        assert_eq!((shot_of(&shot).name.as_str(), shot_of(&shot).markers.len()), ("sh010", 1));
+        assert_eq!(kept_after(&mut shot, |it| assert!(it.undo())), 1);
+        assert_eq!(kept_after(&mut shot, |it| assert!(it.redo())), 1);
+        let step = ShotEdit::SetStep { step: Some(2) };
+        assert_eq!(kept_after(&mut shot, |it| it.apply_to_shot(step, None).unwrap()), 0);
+        assert_eq!(kept_after(&mut shot, |it| assert!(it.undo())), 0);
+    }
 
     #[test]
     fn frames_and_times_go_both_ways() {

@@ -128,6 +128,28 @@ pub(super) fn places(lane: Rect) -> impl Iterator<Item = f32> + Clone {
     (0..=count).map(move |i| lane.left() + lane.width() * i as f32 / count as f32)
 }
 
+/// Corners of the line of a value that is held: level while the time whose value is seen stays, and
+/// upright where that changes. `held` is that time at a place, `y` the height of a time's value.
+pub(super) fn steps(
+    places: impl Iterator<Item = f32>,
+    held: impl Fn(f32) -> f64,
+    y: impl Fn(f64) -> Option<f32>,
+) -> Vec<Pos2> {
+    let mut corners: Vec<Pos2> = Vec::new();
+    let (mut seen, mut end) = (None, None);
+    for x in places {
+        let time = held(x);
+        if seen != Some(time) {
+            seen = Some(time);
+            corners.extend(corners.last().map(|before| pos2(x, before.y)));
+            corners.extend(y(time).map(|y| pos2(x, y)));
+        }
+        end = Some(x);
+    }
+    corners.extend(corners.last().zip(end).map(|(before, x)| pos2(x, before.y)));
+    corners
+}
+
 /// Shows the curves of a track, its keys and their handles.
 pub(super) fn show(
     timeline: &mut Timeline,
@@ -150,10 +172,22 @@ pub(super) fn show(
     let curves = curves(axis, lane, track, width);
     let scale = Scale { lane, values: heights(timeline, ui, owned, index, &curves) };
     grid(ui, owned, track, scale);
+    let holds = rows::Holds::of(owned, track);
     for (at, curve) in curves.iter().enumerate() {
         let line = curve.iter().map(|&(x, value)| pos2(x, scale.y(value)));
-        let stroke = Stroke::new(1.5, ink(ui, width, at));
-        painter.add(PathShape::line(line.collect(), stroke));
+        let ink = ink(ui, width, at);
+        let Some(holds) = holds else {
+            painter.add(PathShape::line(line.collect(), Stroke::new(1.5, ink)));
+            continue;
+        };
+        // The curve is what is edited, the steps are what the picture shows.
+        painter.add(PathShape::line(line.collect(), Stroke::new(1.5, ink.gamma_multiply(0.5))));
+        let y = |time: f64| {
+            let value = Track::of(track).at(time)?;
+            Some(scale.y(drawn(track, &value, at)?))
+        };
+        let steps = steps(places(lane), |x| holds.time(axis.time(x)), y);
+        painter.add(PathShape::line(steps, Stroke::new(1.0, ink)));
     }
     let visible = rows::visible_keys(axis, track);
     if visible.len() > MOST_KEYS {
@@ -335,6 +369,18 @@ impl Graph<'_> {
 mod tests {
     use super::*;
     use crate::document::{Target, TimeKey};
+
+    #[test]
+    fn a_value_that_is_held_is_drawn_as_steps() {
+        // Two points a frame, on twos: a value that is its time.
+        let places = (0..=9).map(|i| 2.0 * i as f32);
+        let held = |x: f32| f64::from(x / 8.0).floor() * 2.0;
+        let corners = steps(places, held, |time| Some(time as f32));
+        let told: Vec<(f32, f32)> = corners.iter().map(|at| (at.x, at.y)).collect();
+        let wanted = [(0.0, 0.0), (8.0, 0.0), (8.0, 2.0), (16.0, 2.0), (16.0, 4.0), (18.0, 4.0)];
+        assert_eq!(told, wanted);
+        assert!(steps([].into_iter(), held, |_| None).is_empty());
+    }
 
     #[test]
     fn a_direction_is_drawn_without_a_jump_at_its_keys() {

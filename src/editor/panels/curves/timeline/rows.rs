@@ -84,9 +84,7 @@ pub(super) fn show(
         && let Some(pointer) = response.interact_pointer_pos()
     {
         let time = timeline.snapped(axis.time(pointer.x));
-        if let Some(value) = Track::of(track).at(time) {
-            out.extend(owned.once(owned.keys.set_in_time(index, time, value)));
-        }
+        out.extend(owned.once(owned.keys.add_in_time(index, time)));
     }
     response.on_hover_text(tr!(
         "Double-click adds a key; a drag selects keys in a box; with Alt or the middle button it \
@@ -244,40 +242,43 @@ fn paint(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, lane: Rect, track: &TimeKeys
     let holds = Holds::of(owned, track);
     for at in 0..width {
         let color = if width == 1 { colors.second } else { graph::ink(ui, width, at) };
-        let line = |time: &dyn Fn(f64) -> f64| -> Vec<Pos2> {
-            let point = |x: f32| {
-                let value = Track::of(track).at(time(axis.time(x)))?;
-                Some(pos2(x, y(graph::drawn(track, &value, at)?)))
-            };
-            graph::places(lane).filter_map(point).collect()
+        let y_at = |time: f64| {
+            let value = Track::of(track).at(time)?;
+            Some(y(graph::drawn(track, &value, at)?))
         };
+        let point = |x: f32| Some(pos2(x, y_at(axis.time(x))?));
+        let curve: Vec<Pos2> = graph::places(lane).filter_map(point).collect();
         let Some(holds) = holds else {
-            painter.add(PathShape::line(line(&|time| time), Stroke::new(1.5, color)));
+            painter.add(PathShape::line(curve, Stroke::new(1.5, color)));
             continue;
         };
         // What the picture shows stands over what the keys say.
-        painter.add(PathShape::line(line(&|time| time), Stroke::new(1.0, colors.dim)));
-        painter.add(PathShape::line(line(&|time| holds.time(time)), Stroke::new(1.5, color)));
+        painter.add(PathShape::line(curve, Stroke::new(1.0, colors.dim)));
+        let steps = graph::steps(graph::places(lane), |x| holds.time(axis.time(x)), y_at);
+        painter.add(PathShape::line(steps, Stroke::new(1.5, color)));
     }
 }
 
-/// Frames that a shot holds the values of a track for.
+/// Frames that a shot holds the values of a track for, the track's own and those of everything that
+/// shades.
 #[derive(Clone, Copy)]
-struct Holds<'s> {
+pub(super) struct Holds<'s> {
     shot: &'s ResolvedShot,
     step: u32,
 }
 
 impl<'s> Holds<'s> {
     /// The frames for which the open shot holds a track; `None` where each frame has its value.
-    fn of(owned: OwnedKeys<'s>, track: &TimeKeys) -> Option<Self> {
+    pub(super) fn of(owned: OwnedKeys<'s>, track: &TimeKeys) -> Option<Self> {
         let shot = owned.session.shot()?;
-        let change = owned.session.change_by_shot(owned.owner, &track.target.to_string())?;
-        (change.step > 1).then(|| Self { shot: shot.resolved(), step: change.step })
+        let change = owned.session.change_by_shot(owned.owner, &track.target.to_string());
+        let step = change.filter(|change| change.is_keyed).map_or(1, |change| change.step);
+        let is_held = step > 1 || shot.stack().step() > 1;
+        is_held.then(|| Self { shot: shot.resolved(), step })
     }
 
     /// The time whose value is seen at a time, in seconds.
-    fn time(self, time: f64) -> f64 {
+    pub(super) fn time(self, time: f64) -> f64 {
         self.shot.held_time(time, self.step)
     }
 }

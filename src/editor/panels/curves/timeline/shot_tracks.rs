@@ -16,7 +16,7 @@ use crate::fields::{mark, scene_names};
 use crate::frame::ValueChange;
 use crate::state::session::Session;
 use crate::state::session::shot::json_text;
-use crate::state::shot::{OpenShot, ShotAddress};
+use crate::state::shot::{ON_FRAME, OpenShot, ShotAddress, key_at};
 use crate::widgets::handle::{self, handle};
 use crate::widgets::text::cell;
 use crate::widgets::theme;
@@ -25,8 +25,6 @@ use crate::widgets::theme;
 const CAMERA: [&str; 4] = ["camera.eye", "camera.target", "camera.fov", "camera.height"];
 /// Fields of the selected object that are offered to be keyed.
 const OBJECT: [&str; 3] = ["transform.translate", "transform.rotate", "transform.scale"];
-/// Least distance of two keys, in frames.
-const GAP: f64 = 1e-3;
 
 /// A keyed value, with the override that has its keys.
 struct ShotTrack<'s> {
@@ -148,7 +146,7 @@ fn head(
 ) {
     let colors = theme::of(ui);
     let frame = shot.rate().frame_within(session.view.time);
-    let here = track.keys.keys.iter().position(|key| (key.frame - frame).abs() < GAP);
+    let here = key_at(&track.keys.keys, frame);
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.allocate_exact_size(vec2(12.0, ui.spacing().interact_size.y), Sense::hover());
@@ -259,8 +257,8 @@ fn key_menu(ui: &mut Ui, track: &ShotTrack<'_>, index: usize, out: &mut Vec<Comm
 fn moved(track: &Override, index: usize, frame: f64) -> Option<ShotEdit> {
     let least = index.checked_sub(1).and_then(|before| track.keys.get(before));
     let most = track.keys.get(index + 1);
-    let is_free = least.is_none_or(|key| frame > key.frame + GAP)
-        && most.is_none_or(|key| frame < key.frame - GAP);
+    let is_free = least.is_none_or(|key| frame > key.frame + ON_FRAME)
+        && most.is_none_or(|key| frame < key.frame - ON_FRAME);
     let mut change = track.clone();
     let key = change.keys.get_mut(index).filter(|key| is_free && key.frame != frame)?;
     key.frame = frame;
