@@ -159,8 +159,7 @@ impl App {
 
     /// Saves to a file, and reports a failure. Returns true if the file is written.
     pub fn save_as(&mut self, path: &Path) -> bool {
-        self.session.name_by_file(path);
-        let saved = self.session.save_as(path);
+        let saved = self.session.save_named(path);
         let is_saved = self.tell_saved(path, saved);
         let orbit = &self.session.view.orbit;
         let is_turned = orbit.illumination.angle_between(DQuat::IDENTITY) > TURNED;
