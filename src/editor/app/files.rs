@@ -101,6 +101,9 @@ impl App {
     /// Shows the sheet of a wedge, whose cells are to be taken.
     pub(super) fn show_wedge(&mut self, sheet: WedgeSheet) {
         self.start = None;
+        if sheet.picture().is_file() {
+            self.dock.open(PanelId::GRAPH);
+        }
         self.bench.wedge.open(sheet);
         self.dock.open(PanelId::WEDGE);
     }
@@ -295,6 +298,8 @@ impl App {
     }
 
     pub(super) fn go_on(&mut self) {
+        // Another document has another graph.
+        self.bench.wedge.enlarge(false);
         match self.pending.take() {
             Some(PendingAction::New) => {
                 self.session.start_new();

@@ -338,7 +338,7 @@ impl Session {
     }
 
     /// The present value at an address; of a look that is not open, what the shot sets.
-    fn value_in_shot(&self, at: &ShotAddress) -> Option<Value> {
+    pub(super) fn value_in_shot(&self, at: &ShotAddress) -> Option<Value> {
         let shot = self.shot()?;
         match &at.look {
             None => {
