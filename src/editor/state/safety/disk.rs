@@ -11,7 +11,6 @@ use chiaro_locale::tr;
 use super::watch::{Watch, WatchedPaths};
 use crate::compile::CompiledShader;
 use crate::files::FileMetadata;
-use crate::frame::SHAPE_PREFIX;
 use crate::state::document::OnDisk;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::{DocumentNumber, PictureRevision};
@@ -179,18 +178,7 @@ impl DiskState {
             self.look = session.path().and_then(|path| std::path::absolute(path).ok());
             self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
         }
-        let folder = session.look.folder();
-        let images = session
-            .compilation()
-            .baked()
-            .into_iter()
-            .flat_map(|shader| &shader.named_images)
-            .map(|image| image.path.as_str());
-        let mesh =
-            Some(session.view.orbit.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
-        let of_scene = session.open_scene().map(OpenScene::files).unwrap_or_default();
-        let paths =
-            images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
+        let paths = session.named_files().into_iter();
         let paths = paths.filter_map(|path| std::path::absolute(path).ok());
         let known = std::mem::take(&mut self.assets);
         let disk = session.assets.source();

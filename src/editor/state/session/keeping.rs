@@ -1,5 +1,6 @@
 //! Journals of a session, and changes of its file by other programs.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -8,11 +9,13 @@ use super::{NEW_NAME, Session};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
-use crate::frame::UNSAVED_HCBTF;
+use crate::frame::{SHAPE_PREFIX, UNSAVED_HCBTF};
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
 use crate::state::paths::absolute;
 use crate::state::reading::spoken;
+use crate::state::scene::OpenScene;
+use crate::state::shot::OpenShot;
 
 impl Session {
     /// Keeps the journals of unsaved work in a folder from now on. `wake` is called from another
@@ -216,6 +219,27 @@ impl Session {
     fn call_look(&mut self, name: String) {
         self.look.history.amend(Look { name, ..self.look().clone() }, |_| ());
         self.changed(false);
+    }
+
+    /// Files that the open documents name: meshes, images, and looks that are not open.
+    pub(crate) fn named_files(&self) -> Vec<PathBuf> {
+        let folder = self.look.folder();
+        let shaders = self.compilation.baked().into_iter();
+        let images = shaders.flat_map(|shader| &shader.named_images);
+        let images = images.map(|image| folder.join(&image.path));
+        let mesh = &self.view.orbit.mesh;
+        let mesh = (!mesh.starts_with(SHAPE_PREFIX)).then(|| PathBuf::from(mesh));
+        let of_scene = self.open_scene().map(OpenScene::files).unwrap_or_default();
+        images.chain(mesh).chain(of_scene).collect()
+    }
+
+    /// All files that the picture is drawn of: those of the open documents, and those they name.
+    pub(crate) fn drawn_files(&self) -> Vec<PathBuf> {
+        let shot = self.shot().map(OpenShot::path);
+        let scene = self.open_scene().and_then(OpenScene::path);
+        let own = [shot, scene, self.path()].into_iter().flatten().map(Path::to_path_buf);
+        let all = own.chain(self.named_files()).map(|path| absolute(&path));
+        all.collect::<BTreeSet<PathBuf>>().into_iter().collect()
     }
 
     /// Draws again with files that changed: meshes and images are read anew where their files have
