@@ -85,6 +85,8 @@ pub(crate) struct DiskState {
     pub(crate) conflict: Option<Conflict>,
     /// Another program's text of the scene's file, while the scene has changes here too.
     pub(crate) scene_conflict: Option<String>,
+    /// True if the scene's file was found broken: its problems stay until it is whole again.
+    is_scene_broken: bool,
     /// Conflict of the painting's file.
     pub(crate) painting_conflict: Option<PaintingConflict>,
     /// True if the look's file existed, and the user has not yet read the note that it is gone.
@@ -104,6 +106,7 @@ impl DiskState {
             due: None,
             conflict: None,
             scene_conflict: None,
+            is_scene_broken: false,
             painting_conflict: None,
             was_there: false,
         }
@@ -175,6 +178,7 @@ impl DiskState {
         };
         if is_other {
             self.conflict = None;
+            self.is_scene_broken = false;
             self.look = session.path().and_then(|path| std::path::absolute(path).ok());
             self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
         }
@@ -230,7 +234,10 @@ impl DiskState {
     fn check_scene(&mut self, session: &mut Session) -> Option<String> {
         let text = match session.open_scene().map(OpenScene::on_disk) {
             Some(OnDisk::Changed(text)) => text,
-            _ => {
+            state => {
+                if state == Some(OnDisk::Same) && std::mem::take(&mut self.is_scene_broken) {
+                    session.scene_is_whole();
+                }
                 self.scene_conflict = None;
                 return None;
             }
@@ -242,8 +249,8 @@ impl DiskState {
         let name = session.open_scene().map(OpenScene::name_of_changed).unwrap_or_default();
         // A scene that cannot be read yet is reported among the problems, and checked again when
         // the file changes.
-        session
-            .reload_scene(&text)
+        self.is_scene_broken = !session.reload_scene(&text);
+        (!self.is_scene_broken)
             .then(|| tr!("{name} was changed by another program and loaded again"))
     }
 

@@ -325,6 +325,7 @@ mod tests {
 
     use super::*;
     use crate::library::Library;
+    use crate::state::session::shot::tests::opened;
 
     /// A session of a look in which a group is used once or twice.
     fn session(is_twice: bool) -> Session {
@@ -379,40 +380,10 @@ mod tests {
         assert_eq!(*twice.look(), before);
     }
 
-    /// A session of a shot that keys the intensity of a light, in a folder of its own.
-    fn shot_session(folder: &std::path::Path) -> Session {
-        let files = [
-            (
-                "look.json",
-                r#"{"chiaro": "look", "nodes": [{"id": "base", "kind": "base"},
-                {"id": "output", "kind": "output"}],
-                "wires": [{"from": "base", "to": "output.color"}]}"#,
-            ),
-            (
-                "scene.json",
-                r#"{"chiaro": "scene", "objects": [{"id": "ball", "mesh": "shape:sphere",
-                "looks": "look.json"}], "lights": {"sun": {"direction": [0, 0, 1]}}}"#,
-            ),
-            (
-                "shot.json",
-                r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 24], "overrides": [
-                {"target": "lights.sun.intensity", "keys": [{"frame": 1, "value": 1},
-                {"frame": 24, "value": 2}]}]}"#,
-            ),
-        ];
-        for (name, text) in files {
-            std::fs::write(folder.join(name), text).unwrap();
-        }
-        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
-        session.open(&folder.join("shot.json")).unwrap();
-        session.open(&folder.join("look.json")).unwrap();
-        session
-    }
-
     #[test]
     fn a_cell_of_a_shot_tells_what_it_keys_and_can_hold_for_all_frames() {
         let folder = tempfile::tempdir().unwrap();
-        let mut session = shot_session(folder.path());
+        let mut session = opened(folder.path());
         let before = session.shot().unwrap().shot().clone();
         let mut taken = cell("sun.intensity", Value::Number(3.0));
         taken.frame = Some(7);
