@@ -18,7 +18,10 @@ Examples:
 
 Each frame is whole where its file is as Chiaro wrote it, by the checksum in it. All frames are of
 one size and have the same channels. Exit codes: 0 where all are whole (and equal), 1 where not,
-2 for wrong arguments; the last line says which frames are at fault.";
+2 for wrong arguments; the last line says which frames are at fault.
+
+Beside another run the channels that both have are compared. A layer that one run has alone is named,
+and is a difference, unless --shared leaves such layers out.";
 
 /// Arguments of `chiaro verify`.
 #[derive(Debug, clap::Args)]
@@ -35,6 +38,9 @@ pub(super) struct Arguments {
     /// Greatest difference of a number that is no fault: 0, 0.001, 1/255
     #[arg(long, default_value = "0", value_parser = parse_bound, requires = "against")]
     within: f64,
+    /// Compare the channels that both runs have, and let layers that one has alone be no fault
+    #[arg(long, requires = "against")]
+    shared: bool,
     /// Print a line of JSON for each frame
     #[arg(long)]
     json: bool,
@@ -59,7 +65,7 @@ enum Verdict {
     Broken(String),
     /// The size or the channels are others than the first frame's.
     Odd(String),
-    /// The frame of the other run is another one, or cannot be compared.
+    /// The frame of the other run is another one, has other layers, or cannot be compared.
     Different(String),
 }
 
@@ -91,7 +97,16 @@ const FRAMES_AT_ONCE: usize = 32;
 struct Finding {
     verdict: Verdict,
     stored: Option<StoredFrame>,
+    comparison: Comparison,
+}
+
+/// Frame beside that of another run.
+#[derive(Default)]
+struct Comparison {
+    /// Difference of the channels that both have.
     difference: Option<FrameDifference>,
+    /// Layers that one of the two has alone, in words.
+    alone: Option<String>,
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
@@ -109,16 +124,19 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let mut first: Option<StoredFrame> = None;
     let mut faults: Vec<(&'static str, Vec<i32>)> = Vec::new();
     let mut greatest = 0.0_f64;
+    let mut alone: Option<String> = None;
     // Every core reads files; what is found is told in the order of the frames.
-    let read = |frame: &i32| check(&pattern, against.as_ref(), *frame, arguments.within);
+    let read = |frame: &i32| check(&pattern, against.as_ref(), *frame, arguments);
     let found = frames.chunks(FRAMES_AT_ONCE).flat_map(|some| {
         let found: Vec<Finding> = some.par_iter().map(read).collect();
         some.iter().copied().zip(found)
     });
     for (frame, found) in found {
         let found = found.beside(first.as_ref());
-        let Finding { verdict, stored, difference } = &found;
+        let Finding { verdict, stored, comparison } = &found;
+        let Comparison { difference, alone: of_one } = comparison;
         greatest = difference.as_ref().map_or(greatest, |found| greatest.max(found.greatest));
+        alone = alone.or_else(|| of_one.clone());
         let file = pattern.path(frame);
         if arguments.json {
             output.result(&found.json(frame, &file.display().to_string()).to_string());
@@ -152,7 +170,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         (Some(_), 0.0) => ", and equal to the other run's to the bit".to_owned(),
         (Some(_), greatest) => format!(", and within {greatest} of the other run's"),
     };
-    output.message(&format!("{}: {count} frames, all whole{compared}", arguments.files.display()));
+    let of_shared = alone.map(|alone| format!(" in what both have: {alone}")).unwrap_or_default();
+    output.message(&format!(
+        "{}: {count} frames, all whole{compared}{of_shared}",
+        arguments.files.display()
+    ));
     Ok(())
 }
 
@@ -161,9 +183,9 @@ fn check(
     pattern: &FramePattern,
     against: Option<&FramePattern>,
     frame: i32,
-    within: f64,
+    arguments: &Arguments,
 ) -> Finding {
-    let alone = |verdict| Finding { verdict, stored: None, difference: None };
+    let alone = |verdict| Finding { verdict, stored: None, comparison: Comparison::default() };
     let of = |pattern: &FramePattern| FrameFile { frame: Some(frame), path: pattern.path(frame) };
     let file = of(pattern);
     if !file.path.exists() {
@@ -173,38 +195,55 @@ fn check(
         Ok(stored) => stored,
         Err(problem) => return alone(Verdict::Broken(problem.message)),
     };
-    let (verdict, difference) = if !stored.is_sealed {
-        (Verdict::Broken("the file is not as Chiaro wrote it".to_owned()), None)
+    let nothing = Comparison::default;
+    let (verdict, comparison) = if !stored.is_sealed {
+        (Verdict::Broken("the file is not as Chiaro wrote it".to_owned()), nothing())
     } else {
         match against.map(|other| of(other).read()) {
-            None => (Verdict::Whole, None),
+            None => (Verdict::Whole, nothing()),
             Some(Err(problem)) => {
                 let message = format!("the other run's cannot be read: {}", problem.message);
-                (Verdict::Different(message), None)
+                (Verdict::Different(message), nothing())
             }
-            Some(Ok(other)) => compared(&stored, &other, within),
+            Some(Ok(other)) => compared(&stored, &other, arguments.within, arguments.shared),
         }
     };
-    Finding { verdict, stored: Some(stored.without_numbers()), difference }
+    Finding { verdict, stored: Some(stored.without_numbers()), comparison }
 }
 
-/// Verdict about a frame beside that of another run, with their difference.
+/// Verdict about a frame beside that of another run, with their comparison. Layers that one of the
+/// two has alone are a difference, unless only what both have counts, `is_shared`.
 fn compared(
     stored: &StoredFrame,
     other: &StoredFrame,
     within: f64,
-) -> (Verdict, Option<FrameDifference>) {
+    is_shared: bool,
+) -> (Verdict, Comparison) {
     let difference = match stored.difference(other) {
         Ok(difference) => difference,
-        Err(reason) => return (Verdict::Different(reason), None),
+        Err(reason) => return (Verdict::Different(reason), Comparison::default()),
     };
-    let verdict = match difference.as_ref().filter(|found| found.greatest > within) {
-        None => Verdict::Whole,
-        Some(FrameDifference { greatest, channel, pixel: [x, y], pixels }) => Verdict::Different(
-            format!("{pixels} pixels are others, by {greatest} at most ({channel} at {x}, {y})"),
-        ),
+    let alone = [
+        stored.layers_beyond(other).map(|layers| format!("only this run has {layers}")),
+        other.layers_beyond(stored).map(|layers| format!("only the other run has {layers}")),
+    ];
+    let alone: Vec<String> = alone.into_iter().flatten().collect();
+    let alone = Some(alone.join("; ")).filter(|alone| !alone.is_empty());
+    let of_numbers = difference.as_ref().filter(|found| found.greatest > within).map(|found| {
+        let FrameDifference { greatest, channel, pixel: [x, y], pixels } = found;
+        format!("{pixels} pixels are others, by {greatest} at most ({channel} at {x}, {y})")
+    });
+    let faults = match (of_numbers, alone.clone().filter(|_| !is_shared)) {
+        (None, Some(alone)) => {
+            let is_equal = difference.is_none();
+            let shared = if is_equal { "equal" } else { "within the bound" };
+            Some(format!("{alone}; what both have is {shared}"))
+        }
+        (Some(numbers), Some(alone)) => Some(format!("{numbers}; {alone}")),
+        (numbers, None) => numbers,
     };
-    (verdict, difference)
+    let verdict = faults.map_or(Verdict::Whole, Verdict::Different);
+    (verdict, Comparison { difference, alone })
 }
 
 impl Finding {
@@ -217,12 +256,17 @@ impl Finding {
         if first.size == stored.size && first.names() == stored.names() {
             return self;
         }
-        let [width, height] = stored.size;
-        let names = stored.names().join(", ");
-        let verdict = Verdict::Odd(format!(
-            "it is {width}x{height} with the channels {names}, unlike the first frame"
-        ));
-        Self { verdict, difference: None, ..self }
+        let size = |[width, height]: [u32; 2]| format!("{width}x{height}");
+        let of_size = (first.size != stored.size).then(|| {
+            format!("it is {}, and the first frame {}", size(stored.size), size(first.size))
+        });
+        let more = stored.layers_beyond(first);
+        let more = more.map(|layers| format!("it has {layers}, and the first frame has not"));
+        let fewer = first.layers_beyond(stored);
+        let fewer = fewer.map(|layers| format!("it lacks {layers} of the first frame"));
+        let told: Vec<String> = [of_size, more, fewer].into_iter().flatten().collect();
+        let verdict = Verdict::Odd(told.join("; "));
+        Self { verdict, comparison: Comparison::default(), ..self }
     }
 
     fn json(&self, frame: i32, file: &str) -> Json {
@@ -235,12 +279,67 @@ impl Finding {
             told["channels"] = json!(stored.names());
             told["plan"] = json!(stored.plan.as_deref().and_then(|plan| plan.split(' ').next()));
         }
-        if let Some(FrameDifference { greatest, channel, pixel, pixels }) = &self.difference {
+        if let Some(alone) = &self.comparison.alone {
+            told["alone"] = json!(alone);
+        }
+        let difference = &self.comparison.difference;
+        if let Some(FrameDifference { greatest, channel, pixel, pixels }) = difference {
             // JSON has no number that is infinite.
             told["difference"] = json!({
                 "greatest": greatest, "channel": channel, "pixel": pixel, "pixels": pixels
             });
         }
         told
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::film::exr::{ExrEncoding, ExrHeader, ExrLayer, encode};
+
+    /// A frame of one pixel with these layers, whose numbers are all the same.
+    fn frame(layers: &[(&str, f32)]) -> StoredFrame {
+        let layer = |(name, number): &(&str, f32)| ExrLayer {
+            name: (*name).to_owned(),
+            channels: ["R", "G", "B", "A"].map(|of| (of.to_owned(), vec![*number])).to_vec(),
+            samples: None,
+        };
+        let layers: Vec<ExrLayer> = layers.iter().map(layer).collect();
+        let bytes = encode([1, 1], &layers, &ExrHeader::default(), ExrEncoding::default());
+        StoredFrame::read(&bytes.unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_layer_that_one_run_has_alone_is_a_difference_unless_left_out() {
+        let (before, after) =
+            (frame(&[("", 0.5)]), frame(&[("", 0.5), ("light_key", 1.0), ("spec", 0.0)]));
+        let (verdict, comparison) = compared(&after, &before, 0.0, false);
+        let told = "only this run has light_key, spec (8 channels); what both have is equal";
+        assert_eq!((verdict.word(), verdict.reason()), ("different", told));
+        assert!(comparison.difference.is_none());
+        let (verdict, _) = compared(&before, &after, 0.0, false);
+        assert!(verdict.reason().starts_with("only the other run has"), "{}", verdict.reason());
+        let (verdict, comparison) = compared(&after, &before, 0.0, true);
+        assert_eq!(verdict.word(), "whole");
+        assert_eq!(
+            comparison.alone.as_deref(),
+            Some("only this run has light_key, spec (8 channels)")
+        );
+        // What both have is compared all the same.
+        let darker = frame(&[("", 0.25)]);
+        let (verdict, _) = compared(&after, &darker, 0.0, true);
+        assert_eq!(verdict.word(), "different");
+        assert_eq!(compared(&after, &darker, 0.5, true).0.word(), "whole");
+    }
+
+    #[test]
+    fn an_odd_frame_is_told_from_the_first_in_few_words() {
+        let first = frame(&[("", 0.5), ("spec", 1.0)]);
+        let stored = Some(frame(&[("", 0.5)]));
+        let finding =
+            Finding { verdict: Verdict::Whole, stored, comparison: Comparison::default() };
+        let told = finding.beside(Some(&first)).verdict;
+        assert_eq!(told.reason(), "it lacks spec (4 channels) of the first frame");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 
 use crate::diag::Diagnostic;
 use crate::document::{linear_to_srgb, srgb_to_linear};
@@ -35,7 +35,10 @@ pub struct StoredFrame {
     is_light: bool,
 }
 
-/// Difference of two frames of one size with the same channels.
+/// Most layers that a sentence names.
+const MOST_NAMED: usize = 4;
+
+/// Difference of two frames of one size, in the channels that both have.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameDifference {
     /// The greatest difference of two numbers; infinite beside a number that is none.
@@ -79,10 +82,35 @@ impl StoredFrame {
         Self { size, channels, plan: self.plan.clone(), is_sealed, is_light }
     }
 
-    /// The difference to another frame; `None` where all numbers are equal to the bit.
+    /// Layers that the other frame does not have, as a list for people with the number of their
+    /// channels; `None` where it has all channels.
+    pub fn layers_beyond(&self, other: &Self) -> Option<String> {
+        let mut beyond = self.names();
+        beyond.retain(|name| other.numbers(name).is_none());
+        let layers = beyond.iter().map(|name| name.rsplit_once('.').map_or(*name, |(of, _)| of));
+        let mut layers: Vec<&str> = layers.collect();
+        layers.dedup();
+        let named = layers.iter().take(MOST_NAMED).copied().collect::<Vec<_>>().join(", ");
+        let count = beyond.len();
+        let of_all = trn!(count, "{count} channel", "{count} channels");
+        Some(match layers.len().saturating_sub(MOST_NAMED) {
+            _ if layers.is_empty() => return None,
+            0 => tr!("{named} ({of_all})"),
+            more => tr!("{named} and {more} more ({of_all})"),
+        })
+    }
+
+    /// Numbers of a channel.
+    fn numbers(&self, name: &str) -> Option<&[f32]> {
+        let found = self.channels.iter().find(|(known, _)| known == name);
+        found.map(|(_, numbers)| numbers.as_slice())
+    }
+
+    /// The difference to another frame in the channels that both have; `None` where all their
+    /// numbers are equal to the bit.
     ///
     /// # Errors
-    /// The reason why the two cannot be compared: other sizes or channels.
+    /// The reason why the two cannot be compared: other sizes, or no channel of one name.
     pub fn difference(&self, other: &Self) -> Result<Option<FrameDifference>, String> {
         if self.size != other.size {
             let [[width, height], [other_width, other_height]] = [self.size, other.size];
@@ -90,13 +118,13 @@ impl StoredFrame {
                 "it is {width}x{height}, and the other one {other_width}x{other_height}"
             ));
         }
-        if self.names() != other.names() {
-            let [names, others] = [self.names().join(", "), other.names().join(", ")];
-            return Err(tr!("its channels are {names}, and the other one's {others}"));
+        if !self.channels.iter().any(|(name, _)| other.numbers(name).is_some()) {
+            return Err(tr!("both have no channel of one name").to_owned());
         }
         let mut differs = vec![false; self.size[0] as usize * self.size[1] as usize];
         let mut found: Option<FrameDifference> = None;
-        for ((name, numbers), (_, others)) in self.channels.iter().zip(&other.channels) {
+        for (name, numbers) in &self.channels {
+            let Some(others) = other.numbers(name) else { continue };
             for (at, (a, b)) in numbers.iter().zip(others).enumerate() {
                 if a.to_bits() == b.to_bits() {
                     continue;
@@ -169,8 +197,7 @@ impl StoredFrame {
     /// Numbers of red, green and blue, and of alpha where the file has it.
     fn colors(&self) -> Result<ColorNumbers<'_>, Diagnostic> {
         let channel = |name: &str| {
-            let found = self.channels.iter().find(|(known, _)| known == name);
-            found.map(|(_, numbers)| numbers.as_slice()).ok_or_else(|| {
+            self.numbers(name).ok_or_else(|| {
                 let message = tr!("the file has no channel {name}, and so no picture");
                 Diagnostic::error("no-picture", message)
                     .hint(tr!("name a file that has R, G, B and A, as chiaro render writes it"))
@@ -267,6 +294,34 @@ mod tests {
         assert_eq!(odd.difference(&odd), Ok(None), "the same bits are equal");
         let found = odd.difference(&read(&frame)).unwrap().unwrap();
         assert_eq!(found.greatest, f64::INFINITY);
+    }
+
+    #[test]
+    fn layers_that_one_frame_has_alone_are_named_and_the_others_compared() {
+        let read = |names: &[&str]| {
+            let own = ExrLayer::of_picture(&picture());
+            let named = |name: &&str| ExrLayer { name: (*name).to_owned(), ..own.clone() };
+            let layers: Vec<ExrLayer> = names.iter().map(named).collect();
+            let header = ExrHeader::default();
+            StoredFrame::read(
+                &exr::encode([3, 2], &layers, &header, ExrEncoding::default()).unwrap(),
+            )
+            .unwrap()
+        };
+        let (plain, mut lit) = (read(&[""]), read(&["", "light_key", "light_back"]));
+        assert_eq!(plain.difference(&lit), Ok(None), "what both have is equal");
+        assert_eq!(plain.layers_beyond(&lit), None);
+        let alone = lit.layers_beyond(&plain).unwrap();
+        assert_eq!(alone, "light_back, light_key (8 channels)");
+        let red = lit.channels.iter_mut().find(|(name, _)| name == "R").unwrap();
+        red.1[4] += 1.0;
+        let found = lit.difference(&plain).unwrap().unwrap();
+        assert_eq!((found.channel.as_str(), found.pixel, found.pixels), ("R", [1, 1], 1));
+        let many = read(&["a", "b", "c", "d", "e", "f"]);
+        assert_eq!(many.layers_beyond(&plain).unwrap(), "a, b, c, d and 2 more (24 channels)");
+        assert!(many.difference(&plain).is_err());
+        let told = StoredFrame::read(&[0x76, 0x2f, 0x31, 0x01]).unwrap_err().message;
+        assert!(told.starts_with("the EXR cannot be read:"), "{told}");
     }
 
     #[test]

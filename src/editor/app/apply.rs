@@ -77,6 +77,15 @@ impl App {
 
     /// Carries out a command.
     pub(super) fn carry_out(&mut self, ui: &Ui, command: Command) {
+        // What is asked of the graph is to be seen there.
+        if let Command::Graph(_)
+        | Command::Reveal(_)
+        | Command::Show(_)
+        | Command::OpenGraph(_)
+        | Command::ShowPanel(PanelId::GRAPH) = command
+        {
+            self.bench.wedge.enlarge(false);
+        }
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
@@ -155,7 +164,14 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.set_time(time),
-            Command::TakeCell(cell) => self.tell(|session| session.take_cell(&cell)),
+            Command::TakeCell(cell, scope) => {
+                let mut told = None;
+                self.tell(|session| {
+                    told = Some(session.take_cell(&cell, scope)?);
+                    Ok(())
+                });
+                self.message = told.or(self.message.take());
+            }
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
                 self.start = None;

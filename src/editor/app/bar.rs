@@ -164,7 +164,8 @@ impl App {
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
-        let of_graph = if self.dock.shows(PanelId::GRAPH) { self.bench.canvas.hint() } else { "" };
+        let has_graph = self.dock.shows(PanelId::GRAPH) && !self.bench.wedge.is_large();
+        let of_graph = if has_graph { self.bench.canvas.hint() } else { "" };
         let hints = [self.bench.painting.hint(), self.bench.viewport.hint(), of_graph];
         let hint = hints
             .into_iter()

@@ -101,6 +101,9 @@ impl App {
     /// Shows the sheet of a wedge, whose cells are to be taken.
     pub(super) fn show_wedge(&mut self, sheet: WedgeSheet) {
         self.start = None;
+        if sheet.picture().is_file() {
+            self.dock.open(PanelId::GRAPH);
+        }
         self.bench.wedge.open(sheet);
         self.dock.open(PanelId::WEDGE);
     }
@@ -159,8 +162,7 @@ impl App {
 
     /// Saves to a file, and reports a failure. Returns true if the file is written.
     pub fn save_as(&mut self, path: &Path) -> bool {
-        self.session.name_by_file(path);
-        let saved = self.session.save_as(path);
+        let saved = self.session.save_named(path);
         let is_saved = self.tell_saved(path, saved);
         let orbit = &self.session.view.orbit;
         let is_turned = orbit.illumination.angle_between(DQuat::IDENTITY) > TURNED;
@@ -296,6 +298,8 @@ impl App {
     }
 
     pub(super) fn go_on(&mut self) {
+        // Another document has another graph.
+        self.bench.wedge.enlarge(false);
         match self.pending.take() {
             Some(PendingAction::New) => {
                 self.session.start_new();

@@ -42,6 +42,12 @@ impl App {
                 self.bench.wedge.vary(variation);
                 self.show_panel_of_film(PanelId::WEDGE);
             }
+            FilmCommand::EnlargeWedge(is_large) => {
+                self.bench.wedge.enlarge(is_large);
+                if is_large {
+                    self.show_panel_of_film(PanelId::GRAPH);
+                }
+            }
             FilmCommand::ShowWedge(sheet) => self.show_drawn_wedge(&sheet),
         }
     }

@@ -39,8 +39,8 @@ use crate::app::tour::Tour;
 use crate::canvas::Canvas;
 use crate::commands::table::{self, CommandRow, KeyScope};
 use crate::commands::{
-    Command, FilePurpose, FitCommand, IMAGES, MESHES, MaskCommand, PanelId, PictureExport,
-    PlacingCommand, SceneCommand, ViewCommand, keyboard,
+    Command, FilePurpose, FilmCommand, FitCommand, IMAGES, MESHES, MaskCommand, PanelId,
+    PictureExport, PlacingCommand, SceneCommand, ViewCommand, keyboard,
 };
 use crate::diag::has_errors;
 use crate::document::Target;
@@ -412,7 +412,7 @@ impl App {
         self.leave_start_page();
         self.give_up_drag(ui);
         let mut commands = Vec::new();
-        if self.start.is_none() {
+        if self.start.is_none() && !self.bench.wedge.is_large() {
             self.bench.canvas.claim_tab(ui);
         }
         self.shortcuts(ui, &mut commands);
@@ -659,6 +659,11 @@ impl App {
         let paints = self.fitting().is_on() && self.start.is_none();
         if paints && is_free && !is_typing && !is_open && keyboard::take(ui, escape) {
             commands.push(Command::Fit(FitCommand::Leave));
+        }
+        let has_sheet = self.bench.wedge.is_large() && self.dock.shows(PanelId::GRAPH);
+        let has_sheet = has_sheet && self.start.is_none();
+        if has_sheet && is_free && !is_typing && keyboard::take(ui, escape) {
+            commands.push(Command::Film(FilmCommand::EnlargeWedge(false)));
         }
     }
 }

@@ -25,6 +25,8 @@ pub(crate) enum FilmCommand {
     DrawWedge,
     /// Asks the program to stop drawing the wedge.
     StopWedge,
+    /// Shows the sheet of the panel *Wedge* in place of the graph, or the graph again.
+    EnlargeWedge(bool),
     /// Shows the wedge that was drawn.
     ShowWedge(PathBuf),
 }

@@ -34,7 +34,7 @@ use crate::document::{Edit, Target};
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
 use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
-use crate::state::wedge::WedgeCell;
+use crate::state::wedge::{CellScope, WedgeCell};
 use crate::state::wire::ShownWire;
 pub(crate) use display::DisplayCommand;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING, is_image};
@@ -165,8 +165,8 @@ pub(crate) enum Command {
     SelectKey(Option<KeyPlace>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
-    /// Takes the values of a wedge's cell.
-    TakeCell(WedgeCell),
+    /// Takes the values of a wedge's cell, in a shot for these frames.
+    TakeCell(WedgeCell, CellScope),
     /// Command about the view of the object.
     View(ViewCommand),
     /// Command about the graph on the canvas.

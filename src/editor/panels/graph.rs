@@ -1,4 +1,5 @@
-//! Panel of the look's graph, which takes nodes that are dragged onto it.
+//! Panel of the look's graph, which takes nodes that are dragged onto it. The sheet of a wedge is
+//! shown in its place while it is large.
 
 use chiaro_locale::text;
 
@@ -13,6 +14,9 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     text!("The nodes of the look and their wires"),
     PanelPlace { stack: Some(PanelStack::Graph), fills_room: true, ..PanelPlace::CLOSED },
     |bench, ui, context| {
+        if bench.wedge.is_large() {
+            return bench.wedge.show_large(ui, context.session);
+        }
         let rect = ui.max_rect();
         bench.canvas.take_shares(|| bench.cost.shares());
         let (readings, is_current) = bench.tools.of::<Probe>().readings();

@@ -11,6 +11,8 @@ use crate::files::read_text;
 
 /// Most cells of a sheet that are listed.
 const MOST_CELLS: usize = 10_000;
+/// Most sheets of one name.
+const MOST_SHEETS: u32 = 10_000;
 
 /// A sheet with the values of its cells.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +22,16 @@ pub(crate) struct WedgeSheet {
     /// The document that was varied, as the command line named it.
     pub(crate) document: PathBuf,
     pub(crate) cells: Vec<WedgeCell>,
+}
+
+/// Frames for which the values of a cell are taken into a shot.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum CellScope {
+    /// The frame of the cell where keys move a value, else the whole shot.
+    #[default]
+    AsKeyed,
+    /// The whole shot, in place of keys.
+    WholeShot,
 }
 
 /// A cell of a sheet.
@@ -46,10 +58,15 @@ impl WedgeCell {
     }
 
     /// The values in words.
-    pub(crate) fn label(&self) -> String {
+    pub(crate) fn value_text(&self) -> String {
         let values = self.lines().map(|(name, value)| format!("{name} = {value}"));
+        values.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The values in words, with the frame.
+    pub(crate) fn label(&self) -> String {
         let frame = self.frame.map(|frame| tr!("frame {frame}"));
-        values.chain(frame).collect::<Vec<_>>().join(", ")
+        std::iter::once(self.value_text()).chain(frame).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -86,5 +103,41 @@ impl WedgeSheet {
     /// Picture of the sheet.
     pub(crate) fn picture(&self) -> PathBuf {
         self.path.with_extension("png")
+    }
+}
+
+/// Path of a sheet in a folder, without ending, that no sheet has yet: the name, or the name with
+/// the next number.
+pub(crate) fn free_sheet(folder: &Path, name: &str) -> PathBuf {
+    let numbered = |number: u32| match number {
+        1 => folder.join(name),
+        number => folder.join(format!("{name}-{number}")),
+    };
+    let is_free = |path: &PathBuf| {
+        let parts = ["png", "json"].map(|ending| path.with_added_extension(ending));
+        !path.exists() && parts.iter().all(|part| !part.exists())
+    };
+    let mut paths = (1..MOST_SHEETS).map(numbered);
+    paths.find(is_free).unwrap_or_else(|| numbered(MOST_SHEETS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_has_a_name_of_its_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let name = || {
+            let free = free_sheet(folder.path(), "sh010-key-intensity");
+            free.file_name().unwrap().to_string_lossy().into_owned()
+        };
+        assert_eq!(name(), "sh010-key-intensity");
+        std::fs::write(folder.path().join("sh010-key-intensity.png"), "").unwrap();
+        assert_eq!(name(), "sh010-key-intensity-2");
+        std::fs::write(folder.path().join("sh010-key-intensity-2.json"), "").unwrap();
+        // Its pictures alone are something of somebody, too.
+        std::fs::create_dir(folder.path().join("sh010-key-intensity-3")).unwrap();
+        assert_eq!(name(), "sh010-key-intensity-4");
     }
 }

@@ -12,7 +12,7 @@ use ::exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer, LineOrder,
     ReadChannels as _, ReadLayers as _, Text, WritableImage as _, read,
 };
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 use half::f16;
 use siphasher::sip::SipHasher13;
 
@@ -140,12 +140,12 @@ pub fn encode(
     for layer in layers {
         for (channel, numbers) in &layer.channels {
             if numbers.len() != width * height {
-                return Err(failure("a channel has another size than the picture"));
+                return Err(unwritable("a channel has another size than the picture"));
             }
             let is_alone = layer.name.is_empty();
             let name = if is_alone { channel.clone() } else { format!("{}.{channel}", layer.name) };
             let text = Text::new_or_none(&name)
-                .ok_or_else(|| failure(&format!("`{name}` is no name that EXR can hold")))?;
+                .ok_or_else(|| unwritable(&format!("`{name}` is no name that EXR can hold")))?;
             let samples = match layer.samples.unwrap_or(encoding.samples) {
                 SampleType::Half => FlatSamples::F16(numbers.iter().map(|x| half_of(*x)).collect()),
                 SampleType::Float => FlatSamples::F32(numbers.clone()),
@@ -164,9 +164,9 @@ pub fn encode(
     let mut image = Image::from_layer(Layer::new((width, height), attributes, encoding, list));
     header.mark(&mut image.attributes);
     let mut bytes = Cursor::new(Vec::new());
-    image.write().to_buffered(&mut bytes).map_err(|error| failure(&error.to_string()))?;
+    image.write().to_buffered(&mut bytes).map_err(|error| unwritable(&error.to_string()))?;
     let mut bytes = bytes.into_inner();
-    header::sort_attributes(&mut bytes).ok_or_else(|| failure("its header is cut off"))?;
+    header::sort_attributes(&mut bytes).ok_or_else(|| unwritable("its header is cut off"))?;
     Ok(bytes)
 }
 
@@ -202,7 +202,7 @@ pub struct ExrContent {
 pub fn decode(bytes: &[u8]) -> Result<ExrContent, Diagnostic> {
     let reader = read().no_deep_data().largest_resolution_level().all_channels();
     let image = reader.first_valid_layer().all_attributes().from_buffered(Cursor::new(bytes));
-    let layer = image.map_err(|error| failure(&error.to_string()))?.layer_data;
+    let layer = image.map_err(|error| unreadable(&error.to_string()))?.layer_data;
     let list = &layer.channel_data.list;
     let seal = seal_of(list.iter().map(|channel| (&channel.name, &channel.sample_data)));
     let numbers = |channel: &AnyChannel<FlatSamples>| {
@@ -263,8 +263,12 @@ fn is_own(bytes: &[u8]) -> bool {
     bytes.starts_with(MAGIC) && decode(bytes).is_ok_and(|content| content.is_sealed)
 }
 
-fn failure(reason: &str) -> Diagnostic {
-    Diagnostic::error("exr", format!("the EXR cannot be written or read: {reason}"))
+fn unreadable(reason: &str) -> Diagnostic {
+    Diagnostic::error("exr", tr!("the EXR cannot be read: {reason}"))
+}
+
+fn unwritable(reason: &str) -> Diagnostic {
+    Diagnostic::error("exr", tr!("the EXR cannot be written: {reason}"))
 }
 
 #[cfg(test)]

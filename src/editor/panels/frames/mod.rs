@@ -20,8 +20,8 @@ use crate::commands::{Command, FilmCommand, PanelId};
 use crate::files::make_folder;
 use crate::panels::table::{PanelContext, PanelPlace, PanelRow};
 use crate::state::runs::{
-    CommandLine, FarmChoices, FilmDocument, FrameChoices, FrameProgress, ProgramRun, RunEnd,
-    RunLine,
+    CommandLine, FarmChoices, FilmDocument, FrameChoices, FrameProgress, FrameSources, ProgramRun,
+    RunEnd, RunLine,
 };
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
@@ -50,6 +50,10 @@ struct FrameRun {
     seconds: f64,
     /// Document that is rendered.
     document: PathBuf,
+    /// Files that the frames are drawn of.
+    sources: FrameSources,
+    /// Name of a file that draws other pictures since.
+    stale_by: Option<String>,
     /// Folder of the frames, and the file of the first one.
     folder: PathBuf,
     first: PathBuf,
@@ -176,20 +180,24 @@ impl FrameRenders {
 
     fn start_frames(&mut self, context: PanelContext<'_>, program: &Path) -> Result<(), String> {
         let document = document_of(context.session)?;
-        let files = self.choices.files(&document)?;
+        let asked = self.choices.files(&document)?;
         let mut line = self.choices.render(&document, view_of(context))?;
         let folder = self.make_folder(&document)?;
+        let files = context.session.assets.source();
+        let sources = FrameSources::of(context.session.drawn_files(), &**files);
         line.words.push("--json".to_owned());
         let wake = self.wake.clone();
         let run = ProgramRun::start(program, &line, move || wake())?;
-        let first = files.first().map(|(_, file)| document.folder().join(file));
+        let first = asked.first().map(|(_, file)| document.folder().join(file));
         self.frames = Some(FrameRun {
             run,
-            progress: FrameProgress::of(files),
+            progress: FrameProgress::of(asked),
             clock: Clock::start(),
             end: None,
             seconds: 0.0,
             document: document.path,
+            sources,
+            stale_by: None,
             first: first.unwrap_or_else(|| folder.clone()),
             folder,
         });
@@ -295,7 +303,8 @@ impl FrameRenders {
             // What is done for another document is shown until its end.
             let is_shown =
                 |frames: &&FrameRun| frames.end.is_none() || frames.document == document.path;
-            if let Some(frames) = self.frames.as_ref().filter(is_shown) {
+            if let Some(frames) = self.frames.as_mut().filter(|frames| is_shown(&&**frames)) {
+                frames.find_stale(session);
                 progress::show(ui, frames, session, &mut out);
             }
             ui.add_space(4.0);
@@ -347,6 +356,14 @@ impl FrameRenders {
 }
 
 impl FrameRun {
+    /// Finds out whether the frames are of what the files were before.
+    fn find_stale(&mut self, session: &Session) {
+        let changed = self.sources.changed(&**session.assets.source());
+        let name =
+            |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        self.stale_by = changed.map(name);
+    }
+
     /// The end in words.
     fn told(&self, end: RunEnd) -> String {
         let [whole, all] = self.progress.count();

@@ -34,7 +34,13 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
         Some(RunEnd::Stopped) => (tr!("Stopped: {whole} of {all} are whole"), colors.warning),
         Some(RunEnd::Failed) => (tr!("{whole} of {all} are whole"), colors.error),
     };
+    let stale_by = frames.stale_by.as_ref().filter(|_| frames.end.is_some());
+    let color = if stale_by.is_some() { colors.dim } else { color };
     ui.label(RichText::new(text).color(color));
+    if let Some(name) = stale_by {
+        let text = tr!("{name} was changed since: these frames are of what it was before");
+        ui.label(RichText::new(text).color(colors.warning));
+    }
     if frames.end.is_none() {
         ui.ctx().request_repaint_after(Duration::from_secs_f64(TICK));
     }
@@ -122,6 +128,7 @@ fn marks(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut Vec<Comman
     let [whole, all] = frames.progress.count();
     let name = tr!("Frames: {whole} of {all} are whole");
     response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &name));
+    let is_stale = frames.stale_by.is_some() && frames.end.is_some();
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 2.0, colors.well);
     let count = frames.progress.frames().len().max(1);
@@ -130,10 +137,11 @@ fn marks(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut Vec<Comman
     for (index, (_, fate)) in frames.progress.frames().enumerate() {
         let color: Color32 = match fate {
             None => continue,
+            Some(FrameFate::Failed(_)) => colors.error,
+            Some(_) if is_stale => colors.dim.gamma_multiply(0.5),
             Some(FrameFate::Drawn(_)) => colors.accent,
             Some(FrameFate::Kept) => colors.second,
             Some(FrameFate::Equal(_)) => colors.accent_dim,
-            Some(FrameFate::Failed(_)) => colors.error,
         };
         let left = rect.left() + index as f32 * step;
         let mark = Rect::from_min_max(
@@ -150,6 +158,9 @@ fn marks(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut Vec<Comman
     }
     if let Some((frame, fate)) = found {
         let fate = fate.map_or_else(|| tr!("not drawn yet").to_owned(), FrameFate::text);
-        response.on_hover_text(tr!("Frame {frame}: {fate}"));
+        response.on_hover_text(match is_stale {
+            false => tr!("Frame {frame}: {fate}"),
+            true => tr!("Frame {frame}: {fate}, before the last change"),
+        });
     }
 }

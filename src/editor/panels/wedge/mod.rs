@@ -1,12 +1,13 @@
 //! Wedges: values that vary, drawn on a sheet, and the cells of a sheet: a click on the picture, or
 //! in the list below it, takes the values of one.
 
+mod large;
 mod varied;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::{Text, text, tr};
+use chiaro_locale::{text, tr};
 use eframe::egui::{
     Button, Color32, ColorImage, Image, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
     StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -20,7 +21,7 @@ use crate::film::sheet::scaled;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::runs::{ProgramRun, Variation};
 use crate::state::session::Session;
-use crate::state::wedge::{WedgeCell, WedgeSheet};
+use crate::state::wedge::{CellScope, WedgeCell, WedgeSheet};
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -33,7 +34,10 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.wedge.show(ui, context.session),
 )
-.with_each_frame(|bench, _, _, _| bench.wedge.drawn.update().into_iter().collect())
+.with_each_frame(|bench, ui, _, _| {
+    bench.wedge.take_picture(ui);
+    bench.wedge.drawn.update().into_iter().collect()
+})
 .with_jobs(|bench| &bench.wedge);
 
 /// Greatest length of a sheet's file, in bytes.
@@ -55,6 +59,19 @@ struct ShownSheet {
     size: [u32; 2],
 }
 
+impl ShownSheet {
+    /// Part of the picture that a cell is, from 0 to 1.
+    fn part_of(&self, cell: &WedgeCell) -> Option<Rect> {
+        let [left, top, width, height] = cell.place?.map(|side| side as f32);
+        let [across, down] = self.size.map(|side| side.max(1) as f32);
+        let least = pos2(left / across, top / down);
+        Some(Rect::from_min_size(least, vec2(width / across, height / down)))
+    }
+}
+
+/// Number of a cell that is taken, and the frames that it is taken for.
+type Taken = (usize, CellScope);
+
 /// The panel, with the sheet that was opened last.
 pub(crate) struct Wedge {
     sheet: Option<WedgeSheet>,
@@ -67,6 +84,8 @@ pub(crate) struct Wedge {
     drawn: DrawnWedge,
     /// True if the sheet's picture is not there, or cannot be read.
     is_blind: bool,
+    /// True if the sheet is to be shown in place of the graph.
+    is_large: bool,
 }
 
 impl BackgroundJobs for Wedge {
@@ -102,7 +121,8 @@ impl Wedge {
     pub(crate) fn new(wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let reader = Worker::new("wedge", wake.clone(), read);
         let drawn = DrawnWedge::new(Arc::new(wake));
-        Self { sheet: None, taken: None, reader, shown: None, drawn, is_blind: false }
+        let (is_blind, is_large) = (false, false);
+        Self { sheet: None, taken: None, reader, shown: None, drawn, is_blind, is_large }
     }
 
     /// Adds a value to those that the next wedge tries.
@@ -120,9 +140,10 @@ impl Wedge {
         self.drawn.run().into_iter().for_each(ProgramRun::stop);
     }
 
-    /// Shows another sheet.
+    /// Shows another sheet, large once its picture is read.
     pub(crate) fn open(&mut self, sheet: WedgeSheet) {
         self.reader.request(|_| sheet.picture());
+        self.is_large = sheet.cells.iter().any(|cell| cell.place.is_some());
         (self.sheet, self.taken, self.shown, self.is_blind) = (Some(sheet), None, None, false);
         self.drawn.makes_room = true;
     }
@@ -142,7 +163,6 @@ impl Wedge {
     }
 
     fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
-        self.take_picture(ui);
         let mut out = Vec::new();
         self.drawn.show(ui, session, &mut out);
         ui.separator();
@@ -161,10 +181,22 @@ impl Wedge {
         };
         ui.label(RichText::new(text).small().color(theme::of(ui).dim));
         place_of(ui, &sheet.picture(), &mut out);
-        let mut clicked = None;
+        if self.shown.is_some() {
+            let (is_large, text, help) = match self.is_large() {
+                true => (false, tr!("Show it here"), tr!("Shows the graph again (Escape)")),
+                false => (true, tr!("Show it large"), tr!("Shows the sheet in place of the graph")),
+            };
+            if ui.button(text).on_hover_text(help).clicked() {
+                out.push(Command::Film(FilmCommand::EnlargeWedge(is_large)));
+            }
+        }
+        let mut taken = None;
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("wedge").show(ui, |ui| {
             match &self.shown {
-                Some(shown) => clicked = show_picture(ui, shown, &sheet.cells, self.taken),
+                Some(_) if self.is_large() => {}
+                Some(shown) => {
+                    taken = show_picture(ui, shown, &sheet.cells, self.taken, session);
+                }
                 None if self.is_blind => {
                     let file = sheet.picture();
                     let file = file.file_name().unwrap_or_default().to_string_lossy();
@@ -177,17 +209,23 @@ impl Wedge {
                     swatches(ui, cell);
                     let text = format!("{}  {}", number + 1, cell.label());
                     let button = Button::selectable(self.taken == Some(number), text);
-                    if ui.add(button.wrap()).on_hover_text(HELP.tr()).clicked() {
-                        clicked = Some(number);
+                    let response = ui.add(button.wrap());
+                    taken = offer(&response, session).map(|scope| (number, scope)).or(taken);
+                    if response.on_hover_text(help(session)).clicked() {
+                        taken = Some((number, CellScope::AsKeyed));
                     }
                 });
             }
         });
-        if let Some(number) = clicked {
-            self.taken = Some(number);
-            out.extend(sheet.cells.get(number).cloned().map(Command::TakeCell));
-        }
+        out.extend(taken.and_then(|taken| self.take(taken)));
         out
+    }
+
+    /// Command that takes a cell, which is marked from now on.
+    fn take(&mut self, (number, scope): Taken) -> Option<Command> {
+        self.taken = Some(number);
+        let cell = self.sheet.as_ref()?.cells.get(number)?.clone();
+        Some(Command::TakeCell(cell, scope))
     }
 }
 
@@ -208,7 +246,35 @@ fn place_of(ui: &mut Ui, file: &Path, out: &mut Vec<Command>) {
     });
 }
 
-const HELP: Text = text!("Sets these values, as one step that can be undone");
+/// Help on a click on a cell.
+fn help(session: &Session) -> &'static str {
+    match session.shot() {
+        None => tr!("Sets these values, as one step that can be undone"),
+        Some(_) => tr!(
+            "Sets these values, as one step that can be undone: a key at the frame of the sheet \
+             where keys move a value, else for the whole shot. The right button offers the whole \
+             shot in place of keys"
+        ),
+    }
+}
+
+/// Offers, in a shot, for which frames a cell is taken.
+fn offer(response: &Response, session: &Session) -> Option<CellScope> {
+    session.shot()?;
+    let mut chosen = None;
+    response.context_menu(|ui| {
+        for (scope, text) in [
+            (CellScope::AsKeyed, tr!("Take it, with keys at its frame")),
+            (CellScope::WholeShot, tr!("Take it for the whole shot, in place of keys")),
+        ] {
+            if ui.button(text).clicked() {
+                chosen = Some(scope);
+                ui.close();
+            }
+        }
+    });
+    chosen
+}
 
 /// Shows the sheet as wide as there is room; the cell under the pointer is framed, and tells its
 /// values. Returns the cell that is clicked.
@@ -217,7 +283,8 @@ fn show_picture(
     shown: &ShownSheet,
     cells: &[WedgeCell],
     taken: Option<usize>,
-) -> Option<usize> {
+    session: &Session,
+) -> Option<Taken> {
     let own = Vec2::from(shown.size.map(|side| side as f32));
     let width = ui.available_width().min(own.x);
     let size = vec2(width, width * own.y / own.x);
@@ -226,13 +293,9 @@ fn show_picture(
     let painter = ui.painter_at(rect);
     painter.image(shown.texture.id(), rect, whole, Color32::WHITE);
     let colors = theme::of(ui);
-    let mut clicked = None;
+    let mut found = None;
     for (number, cell) in cells.iter().enumerate() {
-        let Some([left, top, width, height]) = cell.place else { continue };
-        let part = Rect::from_min_size(
-            pos2(left as f32 / own.x, top as f32 / own.y),
-            vec2(width as f32 / own.x, height as f32 / own.y),
-        );
+        let Some(part) = shown.part_of(cell) else { continue };
         let place = Rect::from_min_max(
             rect.lerp_inside(part.min.to_vec2()),
             rect.lerp_inside(part.max.to_vec2()),
@@ -250,12 +313,13 @@ fn show_picture(
             (false, false) => Stroke::NONE,
         };
         painter.rect_stroke(place, 0.0, stroke, StrokeKind::Outside);
+        found = offer(&response, session).map(|scope| (number, scope)).or(found);
         if response.clicked() {
-            clicked = Some(number);
+            found = Some((number, CellScope::AsKeyed));
         }
-        enlarge(response, shown, cell, (part, vec2(width as f32, height as f32)));
+        enlarge(response, shown, cell, (part, part.size() * own), session);
     }
-    clicked
+    found
 }
 
 /// Shows the colors of a cell.
@@ -274,7 +338,13 @@ fn swatch(ui: &mut Ui, value: &Value) {
 }
 
 /// Tells the values of a cell under the pointer, below its part of the sheet, larger.
-fn enlarge(response: Response, shown: &ShownSheet, cell: &WedgeCell, (part, size): (Rect, Vec2)) {
+fn enlarge(
+    response: Response,
+    shown: &ShownSheet,
+    cell: &WedgeCell,
+    (part, size): (Rect, Vec2),
+    session: &Session,
+) {
     response.on_hover_ui(|ui| {
         let factor = (LARGE / size.max_elem().max(1.0)).min(2.0);
         ui.add(Image::new((shown.texture.id(), size * factor)).uv(part));
@@ -287,7 +357,7 @@ fn enlarge(response: Response, shown: &ShownSheet, cell: &WedgeCell, (part, size
         if let Some(frame) = cell.frame {
             ui.label(tr!("frame {frame}"));
         }
-        ui.label(RichText::new(HELP.tr()).small().color(theme::of(ui).dim));
+        ui.label(RichText::new(help(session)).small().color(theme::of(ui).dim));
     });
 }
 

@@ -20,6 +20,7 @@ use crate::state::runs::{
     CommandLine, ProgramRun, RunEnd, RunLine, ValueSpread, Variation, push_color,
 };
 use crate::state::session::Session;
+use crate::state::wedge::free_sheet;
 use crate::widgets::color;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -82,7 +83,10 @@ impl DrawnWedge {
         let is_plain = |sign: char| sign.is_ascii_alphanumeric() || sign == '_';
         let name: String =
             name.chars().map(|sign| if is_plain(sign) { sign } else { '-' }).take(60).collect();
-        let sheet = format!("{FOLDER}/{}-{name}.png", document.stem());
+        let name = format!("{}-{name}", document.stem());
+        let sheet = free_sheet(&document.folder().join(FOLDER), &name);
+        let sheet = Path::new(FOLDER).join(sheet.file_name().unwrap_or_default());
+        let sheet = sheet.with_added_extension("png").to_string_lossy().into_owned();
         let shot = session.shot();
         let [width, height] = shot.and_then(|shot| shot.stack().size()).unwrap_or([4, 3]);
         let high = (u64::from(self.width) * u64::from(height) / u64::from(width.max(1))).max(1);

@@ -7,6 +7,7 @@ mod frames;
 mod outputs;
 mod progress;
 mod run;
+mod sources;
 mod variation;
 
 pub(crate) use command_line::CommandLine;
@@ -16,4 +17,5 @@ pub(crate) use frames::{
 pub(crate) use outputs::{OfferedOutput, PickedOutput, matching_outputs, nearest_outputs};
 pub(crate) use progress::{FrameFate, FrameProgress};
 pub(crate) use run::{ProgramRun, RunEnd, RunLine};
+pub(crate) use sources::FrameSources;
 pub(crate) use variation::{ValueSpread, Variation, push_color};

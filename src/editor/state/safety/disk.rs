@@ -11,7 +11,6 @@ use chiaro_locale::tr;
 use super::watch::{Watch, WatchedPaths};
 use crate::compile::CompiledShader;
 use crate::files::FileMetadata;
-use crate::frame::SHAPE_PREFIX;
 use crate::state::document::OnDisk;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::{DocumentNumber, PictureRevision};
@@ -86,6 +85,8 @@ pub(crate) struct DiskState {
     pub(crate) conflict: Option<Conflict>,
     /// Another program's text of the scene's file, while the scene has changes here too.
     pub(crate) scene_conflict: Option<String>,
+    /// True if the scene's file was found broken: its problems stay until it is whole again.
+    is_scene_broken: bool,
     /// Conflict of the painting's file.
     pub(crate) painting_conflict: Option<PaintingConflict>,
     /// True if the look's file existed, and the user has not yet read the note that it is gone.
@@ -105,6 +106,7 @@ impl DiskState {
             due: None,
             conflict: None,
             scene_conflict: None,
+            is_scene_broken: false,
             painting_conflict: None,
             was_there: false,
         }
@@ -176,21 +178,11 @@ impl DiskState {
         };
         if is_other {
             self.conflict = None;
+            self.is_scene_broken = false;
             self.look = session.path().and_then(|path| std::path::absolute(path).ok());
             self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
         }
-        let folder = session.look.folder();
-        let images = session
-            .compilation()
-            .baked()
-            .into_iter()
-            .flat_map(|shader| &shader.named_images)
-            .map(|image| image.path.as_str());
-        let mesh =
-            Some(session.view.orbit.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
-        let of_scene = session.open_scene().map(OpenScene::files).unwrap_or_default();
-        let paths =
-            images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
+        let paths = session.named_files().into_iter();
         let paths = paths.filter_map(|path| std::path::absolute(path).ok());
         let known = std::mem::take(&mut self.assets);
         let disk = session.assets.source();
@@ -242,7 +234,10 @@ impl DiskState {
     fn check_scene(&mut self, session: &mut Session) -> Option<String> {
         let text = match session.open_scene().map(OpenScene::on_disk) {
             Some(OnDisk::Changed(text)) => text,
-            _ => {
+            state => {
+                if state == Some(OnDisk::Same) && std::mem::take(&mut self.is_scene_broken) {
+                    session.scene_is_whole();
+                }
                 self.scene_conflict = None;
                 return None;
             }
@@ -254,8 +249,8 @@ impl DiskState {
         let name = session.open_scene().map(OpenScene::name_of_changed).unwrap_or_default();
         // A scene that cannot be read yet is reported among the problems, and checked again when
         // the file changes.
-        session
-            .reload_scene(&text)
+        self.is_scene_broken = !session.reload_scene(&text);
+        (!self.is_scene_broken)
             .then(|| tr!("{name} was changed by another program and loaded again"))
     }
 

@@ -1,17 +1,21 @@
 //! Journals of a session, and changes of its file by other programs.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::Session;
 use super::shelf::IN_JOURNAL;
+use super::{NEW_NAME, Session};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
-use crate::frame::UNSAVED_HCBTF;
+use crate::frame::{SHAPE_PREFIX, UNSAVED_HCBTF};
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
 use crate::state::paths::absolute;
+use crate::state::reading::spoken;
+use crate::state::scene::OpenScene;
+use crate::state::shot::OpenShot;
 
 impl Session {
     /// Keeps the journals of unsaved work in a folder from now on. `wake` is called from another
@@ -191,6 +195,53 @@ impl Session {
         true
     }
 
+    /// Saves to a file, as [`save_as`](Self::save_as) does. A look that has no file, and that nobody
+    /// has named, takes the name of the file in words once it is written. No step is made: undo
+    /// takes back what was done by hand.
+    ///
+    /// # Errors
+    /// As [`save_as`](Self::save_as); the look keeps its name then.
+    pub(crate) fn save_named(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        let is_unnamed = ["", NEW_NAME.english()].contains(&self.look().name.as_str());
+        let stem = path.file_stem().filter(|_| is_unnamed && self.path().is_none());
+        let before = stem.map(|stem| {
+            let before = self.look().name.clone();
+            self.call_look(spoken(&stem.to_string_lossy().replace('-', " ")));
+            before
+        });
+        let saved = self.save_as(path);
+        if let Some(before) = before.filter(|_| saved.is_err()) {
+            self.call_look(before);
+        }
+        saved
+    }
+
+    fn call_look(&mut self, name: String) {
+        self.look.history.amend(Look { name, ..self.look().clone() }, |_| ());
+        self.changed(false);
+    }
+
+    /// Files that the open documents name: meshes, images, and looks that are not open.
+    pub(crate) fn named_files(&self) -> Vec<PathBuf> {
+        let folder = self.look.folder();
+        let shaders = self.compilation.baked().into_iter();
+        let images = shaders.flat_map(|shader| &shader.named_images);
+        let images = images.map(|image| folder.join(&image.path));
+        let mesh = &self.view.orbit.mesh;
+        let mesh = (!mesh.starts_with(SHAPE_PREFIX)).then(|| PathBuf::from(mesh));
+        let of_scene = self.open_scene().map(OpenScene::files).unwrap_or_default();
+        images.chain(mesh).chain(of_scene).collect()
+    }
+
+    /// All files that the picture is drawn of: those of the open documents, and those they name.
+    pub(crate) fn drawn_files(&self) -> Vec<PathBuf> {
+        let shot = self.shot().map(OpenShot::path);
+        let scene = self.open_scene().and_then(OpenScene::path);
+        let own = [shot, scene, self.path()].into_iter().flatten().map(Path::to_path_buf);
+        let all = own.chain(self.named_files()).map(|path| absolute(&path));
+        all.collect::<BTreeSet<PathBuf>>().into_iter().collect()
+    }
+
     /// Draws again with files that changed: meshes and images are read anew where their files have
     /// changed.
     pub(crate) fn files_changed(&mut self) {
@@ -206,5 +257,26 @@ impl Drop for Session {
     fn drop(&mut self) {
         // A window that panics is not closed in peace: its document may have caused the panic.
         self.close_journal(!std::thread::panicking());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::Library;
+
+    #[test]
+    fn a_look_is_called_after_the_file_that_is_written_alone() {
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        let folder = tempfile::tempdir().unwrap();
+        let nowhere = folder.path().join("none/night-fall.json");
+        session.save_named(&nowhere).unwrap_err();
+        assert_eq!(session.look().name, NEW_NAME.english(), "nothing was written");
+        let file = folder.path().join("warm-rim.json");
+        session.save_named(&file).unwrap();
+        assert_eq!(session.look().name, "Warm rim");
+        assert!(std::fs::read_to_string(&file).unwrap().contains("\"Warm rim\""));
+        session.save_named(&folder.path().join("cold-rim.json")).unwrap();
+        assert_eq!(session.look().name, "Warm rim", "it has a name");
     }
 }

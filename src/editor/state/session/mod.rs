@@ -41,7 +41,7 @@ use crate::state::masks::MaskSteps;
 use crate::state::orbit::Orbit;
 use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
-use crate::state::reading::{LookWithLibrary, spoken};
+use crate::state::reading::LookWithLibrary;
 use crate::state::revision::{GestureId, LookRevision, StepTime};
 use crate::state::scene::OpenScene;
 use crate::state::selection::{OpenGraph, Selection};
@@ -229,18 +229,6 @@ impl Session {
         self.shelf.write_beside(path);
         self.saved();
         Ok(())
-    }
-
-    /// Gives a look that has no file, and that nobody has named, the name of a file in words. No
-    /// step is made: undo takes back what was done by hand.
-    pub(crate) fn name_by_file(&mut self, path: &Path) {
-        let is_unnamed = ["", NEW_NAME.english()].contains(&self.look().name.as_str());
-        let Some(stem) = path.file_stem().filter(|_| is_unnamed && self.path().is_none()) else {
-            return;
-        };
-        let name = spoken(&stem.to_string_lossy().replace('-', " "));
-        self.look.history.amend(Look { name, ..self.look().clone() }, |_| ());
-        self.changed(false);
     }
 
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {

@@ -298,4 +298,15 @@ impl Session {
         self.scene_changed();
         is_read
     }
+
+    /// Forgets the problems of the scene's file, or of the shot's over it: another program has
+    /// written what was read before.
+    pub(crate) fn scene_is_whole(&mut self) {
+        let Some(open_scene) = &mut self.open_scene else { return };
+        match &mut open_scene.shot {
+            Some(shot) => shot.document.load_problems.clear(),
+            None => open_scene.document.load_problems.clear(),
+        }
+        self.revisions.problems.advance();
+    }
 }

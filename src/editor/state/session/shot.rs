@@ -351,7 +351,7 @@ impl Session {
     }
 
     /// The present value at an address; of a look that is not open, what the shot sets.
-    fn value_in_shot(&self, at: &ShotAddress) -> Option<Value> {
+    pub(super) fn value_in_shot(&self, at: &ShotAddress) -> Option<Value> {
         let shot = self.shot()?;
         match &at.look {
             None => {
@@ -506,7 +506,7 @@ pub(crate) fn json_text(json: &Json) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::document::{ShotKey, TimeKey};
     use crate::frame::Track;
@@ -552,6 +552,59 @@ mod tests {
         let frames: Vec<f64> =
             session.shot().unwrap().own(&at).unwrap().keys.iter().map(|key| key.frame).collect();
         assert_eq!(frames, [1.0, 3.0, 6.0, 9.0, 12.0, 14.0]);
+    }
+
+    /// A session of a shot that keys the intensity of a light, in a folder of its own.
+    pub(in super::super) fn opened(folder: &Path) -> Session {
+        let files = [
+            (
+                "look.json",
+                r#"{"chiaro": "look", "nodes": [{"id": "base", "kind": "base"},
+                {"id": "output", "kind": "output"}],
+                "wires": [{"from": "base", "to": "output.color"}]}"#,
+            ),
+            (
+                "scene.json",
+                r#"{"chiaro": "scene", "objects": [{"id": "ball", "mesh": "shape:sphere",
+                "looks": "look.json"}], "lights": {"sun": {"direction": [0, 0, 1]}}}"#,
+            ),
+            (
+                "shot.json",
+                r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 24], "overrides": [
+                {"target": "lights.sun.intensity", "keys": [{"frame": 1, "value": 1},
+                {"frame": 24, "value": 2}]}]}"#,
+            ),
+        ];
+        for (name, text) in files {
+            std::fs::write(folder.join(name), text).unwrap();
+        }
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&folder.join("shot.json")).unwrap();
+        session.open(&folder.join("look.json")).unwrap();
+        session
+    }
+
+    #[test]
+    fn a_file_under_a_shot_is_wrong_until_it_is_whole_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut session = opened(folder.path());
+        let errors =
+            |session: &Session| session.all_problems().filter(|found| found.is_error()).count();
+        assert_eq!(errors(&session), 0);
+        let scene = folder.path().join("scene.json");
+        let whole = std::fs::read_to_string(&scene).unwrap();
+        std::fs::write(&scene, "{\"chiaro\": \"scene\", objects").unwrap();
+        session.files_changed();
+        let found = errors(&session);
+        assert!(found > 0);
+        let edit = ShotEdit::SetStep { step: Some(2) };
+        session.apply_to_shot(edit, None).unwrap();
+        assert_eq!(errors(&session), found, "after an edit");
+        session.save_as(&folder.path().join("shot.json")).unwrap();
+        assert_eq!(errors(&session), found, "after a save of the shot");
+        std::fs::write(&scene, whole).unwrap();
+        session.files_changed();
+        assert_eq!(errors(&session), 0);
     }
 
     #[test]

@@ -4,11 +4,12 @@ use chiaro_locale::tr;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::{ColorSpace, Edit, LightField, SceneEdit, Target, Value};
+use crate::document::{ColorSpace, Edit, LightField, SceneEdit, ShotEdit, Target, Value};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::state::keying::{KeyedBy, has_between, scene_edit};
 use crate::state::revision::GestureId;
-use crate::state::wedge::WedgeCell;
+use crate::state::shot::{ShotAddress, ShotWriter};
+use crate::state::wedge::{CellScope, WedgeCell};
 
 /// Gesture of all edits of a cell: they are one step of each document.
 const TAKING: GestureId = GestureId(0x77_65_64_67_65);
@@ -28,13 +29,101 @@ struct CellPlaces {
     uses: Vec<(Target, Value)>,
 }
 
+impl CellPlaces {
+    /// Addresses of the values as a shot over `look` has them.
+    fn addresses(&self, look: Option<&str>) -> Vec<ShotAddress> {
+        let of_scene = |target: String| ShotAddress { look: None, target };
+        let fields = self.fields.iter().map(|(address, _)| of_scene(address.clone()));
+        let lights = self.lights.iter().map(|(target, _)| of_scene(target.to_string()));
+        let objects = self.objects.iter();
+        let objects = objects.map(|(id, name, _)| of_scene(format!("objects.{id}.values.{name}")));
+        let of_look = self.look.iter().chain(&self.uses).map(|(target, _)| ShotAddress {
+            look: look.map(str::to_owned),
+            target: target.to_string(),
+        });
+        fields.chain(lights).chain(objects).chain(of_look).collect()
+    }
+}
+
 impl Session {
     /// Takes the values of a cell as one step: as overrides where a shot is open, else in the scene
-    /// and the look.
+    /// and the look. Returns a message on what became of them.
     ///
     /// # Errors
     /// A name that the open documents do not have; nothing is changed then.
-    pub(crate) fn take_cell(&mut self, cell: &WedgeCell) -> Result<(), Box<Diagnostic>> {
+    pub(crate) fn take_cell(
+        &mut self,
+        cell: &WedgeCell,
+        scope: CellScope,
+    ) -> Result<String, Box<Diagnostic>> {
+        let moved = self.moved_by_shot(cell)?;
+        self.take_values(cell)?;
+        if scope == CellScope::WholeShot {
+            self.hold_in_shot(moved.iter().flat_map(|(_, addresses)| addresses))?;
+        }
+        self.end_gestures();
+        let values = cell.value_text();
+        let Some(shot) = self.shot() else { return Ok(tr!("Set: {values}")) };
+        let frame = shot.frame_at(self.view.time);
+        let is_keyed = |name: &&str| moved.iter().any(|(moved, _)| moved == name);
+        let (keyed, held): (Vec<&str>, Vec<&str>) =
+            cell.values.iter().map(|(name, _)| name.as_str()).partition(is_keyed);
+        Ok(match (keyed.is_empty() || scope == CellScope::WholeShot, held.is_empty()) {
+            (true, _) => tr!("For the whole shot: {values}"),
+            (false, true) => tr!("A key at frame {frame}: {values}"),
+            (false, false) => tr!(
+                "A key at frame {frame} of {keyed}; for the whole shot {held}",
+                keyed = keyed.join(", "),
+                held = held.join(", ")
+            ),
+        })
+    }
+
+    /// Names of a cell's values that the open shot has keys of, each with its addresses there.
+    fn moved_by_shot(
+        &self,
+        cell: &WedgeCell,
+    ) -> Result<Vec<(String, Vec<ShotAddress>)>, Box<Diagnostic>> {
+        let mut moved = Vec::new();
+        let Some(shot) = self.shot() else { return Ok(moved) };
+        let is_moved = |at: &ShotAddress| {
+            let change = shot.resolved().change_of(at.look.as_deref(), &at.target);
+            change.is_some_and(|change| change.is_keyed)
+        };
+        for (name, value) in &cell.values {
+            let mut places = CellPlaces::default();
+            self.place_value(name, value, &mut places)?;
+            let mut addresses = places.addresses(shot.open_look().as_deref());
+            addresses.retain(is_moved);
+            if !addresses.is_empty() {
+                moved.push((name.clone(), addresses));
+            }
+        }
+        Ok(moved)
+    }
+
+    /// Sets values of the shot to what they are now, in place of their keys, as part of the step in
+    /// which a cell is taken.
+    fn hold_in_shot<'a>(
+        &mut self,
+        addresses: impl Iterator<Item = &'a ShotAddress>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let Some(shot) = self.shot() else { return Ok(()) };
+        let mut edits = Vec::new();
+        for at in addresses {
+            let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
+            if let Some(value) = self.value_in_shot(at) {
+                writer.set_for_all(&at.target, value);
+            }
+            edits.extend(writer.finish());
+        }
+        if !edits.is_empty() {
+            self.apply_to_shot(ShotEdit::Group { edits }, Some(TAKING))?;
+        }
+        Ok(())
+    }
+
+    fn take_values(&mut self, cell: &WedgeCell) -> Result<(), Box<Diagnostic>> {
         // What keys move takes the value at the frame that the cell shows.
         if let Some((frame, shot)) = cell.frame.zip(self.shot()) {
             self.set_time(shot.rate().time(frame));
@@ -102,7 +191,6 @@ impl Session {
                 return Err(problem);
             }
         }
-        self.end_gestures();
         Ok(())
     }
 
@@ -237,6 +325,7 @@ mod tests {
 
     use super::*;
     use crate::library::Library;
+    use crate::state::session::shot::tests::opened;
 
     /// A session of a look in which a group is used once or twice.
     fn session(is_twice: bool) -> Session {
@@ -265,25 +354,58 @@ mod tests {
     fn a_value_within_a_group_is_set_in_the_use_that_was_varied() {
         let taken = cell("first/lit.opacity", Value::Number(0.25));
         let mut once = session(false);
-        once.take_cell(&taken).unwrap();
+        once.take_cell(&taken, CellScope::AsKeyed).unwrap();
         assert_eq!(own_value(&once), Value::Number(0.25));
         assert!(once.look().time_keys.is_empty());
 
         let mut twice = session(true);
         let before = twice.look().clone();
-        twice.take_cell(&taken).unwrap();
+        twice.take_cell(&taken, CellScope::AsKeyed).unwrap();
         let [track] = twice.look().time_keys.as_slice() else { panic!("one track") };
         assert_eq!(track.target.to_string(), "first/lit.opacity");
         assert_eq!(track.keys[0].value, Value::Number(0.25));
         assert_eq!(own_value(&twice), Value::Number(0.5), "the other use keeps its value");
         // A value that is held is another one next time.
-        twice.take_cell(&cell("first/lit.opacity", Value::Number(1.0))).unwrap();
+        let one = cell("first/lit.opacity", Value::Number(1.0));
+        twice.take_cell(&one, CellScope::AsKeyed).unwrap();
         assert_eq!(twice.look().time_keys[0].keys[0].value, Value::Number(1.0));
         twice.undo();
         twice.undo();
         assert_eq!(*twice.look(), before);
         let built_in = cell("first/lit.blend", Value::Text("multiply".to_owned()));
-        assert_eq!(twice.take_cell(&built_in).unwrap_err().code, "used-more-than-once");
+        assert_eq!(
+            twice.take_cell(&built_in, CellScope::AsKeyed).unwrap_err().code,
+            "used-more-than-once"
+        );
         assert_eq!(*twice.look(), before);
+    }
+
+    #[test]
+    fn a_cell_of_a_shot_tells_what_it_keys_and_can_hold_for_all_frames() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut session = opened(folder.path());
+        let before = session.shot().unwrap().shot().clone();
+        let mut taken = cell("sun.intensity", Value::Number(3.0));
+        taken.frame = Some(7);
+        let told = session.take_cell(&taken, CellScope::AsKeyed).unwrap();
+        assert_eq!(told, "A key at frame 7: sun.intensity = 3");
+        let [own] = session.shot().unwrap().shot().overrides.as_slice() else { panic!("one") };
+        assert_eq!(own.keys.iter().map(|key| key.frame).collect::<Vec<f64>>(), [1.0, 7.0, 24.0]);
+        // The same once more, for all frames: there the value is what it was at that frame.
+        let told = session.take_cell(&taken, CellScope::WholeShot).unwrap();
+        assert_eq!(told, "For the whole shot: sun.intensity = 3");
+        let [own] = session.shot().unwrap().shot().overrides.as_slice() else { panic!("one") };
+        assert_eq!((own.value.as_ref(), own.keys.len()), (Some(&Value::Number(3.0)), 0));
+        session.undo();
+        session.undo();
+        assert_eq!(*session.shot().unwrap().shot(), before, "each was one step");
+        // Both in one step.
+        session.take_cell(&taken, CellScope::WholeShot).unwrap();
+        session.undo();
+        assert_eq!(*session.shot().unwrap().shot(), before);
+        taken.values.push(("sun.color".to_owned(), Value::Text("#ff8000".to_owned())));
+        let told = session.take_cell(&taken, CellScope::AsKeyed).unwrap();
+        let wanted = "A key at frame 7 of sun.intensity; for the whole shot sun.color";
+        assert_eq!(told, wanted);
     }
 }

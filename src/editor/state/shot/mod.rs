@@ -56,6 +56,8 @@ pub struct OpenShot {
     scene: Scene,
     resolved: Arc<ResolvedShot>,
     problems: Vec<Diagnostic>,
+    /// Problems of the files under the shot: a save of the shot leaves them as they are.
+    beneath: Vec<Diagnostic>,
     /// Time at which the open scene is shown, in seconds; `None` before it is shown at any.
     pub(crate) shown_at: Option<f64>,
     /// View that the shot's camera had put the window in last.
@@ -121,9 +123,11 @@ impl OpenShot {
         loaded: LoadedDocument<Shot>,
     ) -> Result<Self, Vec<Diagnostic>> {
         let file = TextFile::new(loaded.source.clone());
-        let (stack, problems) = ShotStack::over(files, path, loaded)?.into_parts();
+        let own = loaded.diagnostics.len();
+        let (stack, mut problems) = ShotStack::over(files, path, loaded)?.into_parts();
         let history = History::new(stack.shots[0].shot.clone());
         let mut shot = Self::with(history, file, path, stack);
+        shot.beneath = problems.split_off(own);
         shot.document.load_problems = problems;
         Ok(shot)
     }
@@ -166,10 +170,12 @@ impl OpenShot {
         let text = found.source.as_deref().unwrap_or("{}");
         let loaded = Shot::read(text, &path.display().to_string());
         let file = TextFile::new(loaded.source.clone());
-        let (stack, problems) = ShotStack::over(files, &path, loaded)?.into_parts();
+        let own_problems = loaded.diagnostics.len();
+        let (stack, mut problems) = ShotStack::over(files, &path, loaded)?.into_parts();
         let mut shot = Self::with(found.history, file, &path, stack);
         shot.document.path = own.map(PathBuf::from);
         shot.document.is_partial = found.about.is_partial;
+        shot.beneath = problems.split_off(own_problems);
         shot.document.load_problems = [found.damage, problems].concat();
         Ok(shot)
     }
@@ -184,6 +190,7 @@ impl OpenShot {
             scene,
             resolved: Arc::new(resolved),
             problems,
+            beneath: Vec::new(),
             stack,
             look: None,
             shown_at: None,
@@ -247,7 +254,7 @@ impl OpenShot {
 
     /// Problems of the shots' files, and of overrides that could not be put in.
     pub(crate) fn problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.document.load_problems.iter().chain(&self.problems)
+        self.document.load_problems.iter().chain(&self.beneath).chain(&self.problems)
     }
 
     /// Files under the shot, and that of the open look: what is read anew where they change.
@@ -337,14 +344,18 @@ impl OpenShot {
     pub(crate) fn read_again(&mut self, files: &dyn Files) {
         let text = self.shot().to_text();
         let file = self.path().display().to_string();
-        match ShotStack::over(files, self.path(), Shot::read(&text, &file)) {
+        let loaded = Shot::read(&text, &file);
+        // What the shot's own text says stays as it was told of the file.
+        let own = loaded.diagnostics.len();
+        let mut problems = match ShotStack::over(files, self.path(), loaded) {
             Ok(stack) => {
                 let (stack, problems) = stack.into_parts();
                 self.stack = stack;
-                self.document.load_problems = problems;
+                problems
             }
-            Err(problems) => self.document.load_problems = problems,
-        }
+            Err(problems) => problems,
+        };
+        self.beneath = problems.split_off(own.min(problems.len()));
         if let Some(under) = &mut self.look
             && let Document::Look(read) = Document::load(files, Path::new(under.source.file()))
             && !read.has_errors()

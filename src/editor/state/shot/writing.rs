@@ -105,7 +105,7 @@ impl<'s> ShotWriter<'s> {
     }
 
     /// Sets a value for all frames, in place of keys.
-    fn set_for_all(&mut self, target: &str, value: Value) {
+    pub(crate) fn set_for_all(&mut self, target: &str, value: Value) {
         let at = self.at(target);
         // A value as it is without this shot needs no override.
         let own = self.shot.own(&at);

@@ -20,6 +20,7 @@ use eframe::egui::TextureHandle;
 use super::playback::cache::FrameCache;
 use super::playback::{Demands, FrameForm, Playback, bytes_of};
 use super::{PictureContext, SwitchPlace, ToolRow};
+use crate::film::FrameList;
 use crate::render::Gpu;
 use crate::state::display::PictureDisplay;
 use crate::state::revision::{DocumentNumber, RequestNumber};
@@ -185,10 +186,14 @@ impl FlipBook {
         most.filter(|(_, kind)| kind.greatest() > 0).map(|(frame, _)| frame)
     }
 
-    /// Number of frames of a range that the other version does not have.
-    pub(crate) fn lacking(&self, [first, last]: [i32; 2]) -> usize {
-        let Some(version) = &self.version else { return 0 };
-        (first..=last).take(MOST_FRAMES).filter(|frame| !version.has(*frame)).count()
+    /// Frames of a range that the other version does not have.
+    pub(crate) fn lacking(&self, [first, last]: [i32; 2]) -> FrameList {
+        let frames = || {
+            let version = self.version.as_ref()?;
+            let lacks = |frame: &i32| !version.has(*frame);
+            Some((first..=last).take(MOST_FRAMES).filter(lacks).collect())
+        };
+        FrameList::of(frames().unwrap_or_default())
     }
 
     /// Problems of files, with the number of the frame.

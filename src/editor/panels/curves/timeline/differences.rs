@@ -10,6 +10,7 @@ use eframe::egui::{
 use super::axis::Axis;
 use super::{NAMES, Timeline};
 use crate::commands::Command;
+use crate::film::FrameList;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
 use crate::tools::playback::time_of;
@@ -59,7 +60,6 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
         chosen = greatest;
     }
     let count = flip.wrong().count();
-    let lacking = flip.lacking(timeline.round().range());
     let menu = ui.menu_button(tr!("{count} differ"), |ui| {
         ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
             for (frame, kind) in flip.wrong().take(LISTED) {
@@ -71,14 +71,7 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
             for (frame, problem) in flip.failed().take(LISTED) {
                 ui.label(tr!("Frame {frame}: {problem}"));
             }
-            ui.label(match lacking {
-                0 => tr!("Every frame of the range has another version").to_owned(),
-                count => trn!(
-                    count,
-                    "A frame of the range has no other version",
-                    "{count} frames of the range have no other version"
-                ),
-            });
+            ui.label(lacking(&flip.lacking(timeline.round().range())));
         });
     });
     menu.response.on_hover_text(tr!("Frames that differ by more than the threshold"));
@@ -86,6 +79,18 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
     let response = ui.add(drag).on_hover_text(tr!("Differences up to this one count as none"));
     response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Threshold")));
     chosen
+}
+
+/// Frames without another version, in words.
+fn lacking(frames: &FrameList) -> String {
+    match frames.frames().len() {
+        0 => tr!("Every frame of the range has another version").to_owned(),
+        count => trn!(
+            count,
+            "Frame {frames} has no other version",
+            "{count} frames have no other version: {frames}"
+        ),
+    }
 }
 
 /// Draws the difference of each frame as a bar; gives the frame that is clicked.
@@ -127,4 +132,17 @@ fn strip(ui: &Ui, flip: &FlipBook, timeline: &Timeline, axis: Axis, lane: Rect) 
         });
     }
     clicked.map(|at| frame_at(at.x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_without_another_version_are_named() {
+        let told = |frames: &[i32]| lacking(&FrameList::of(frames.to_vec()));
+        assert_eq!(told(&[]), "Every frame of the range has another version");
+        assert_eq!(told(&[5]), "Frame 5 has no other version");
+        assert_eq!(told(&[3, 4, 5, 9]), "4 frames have no other version: 3-5,9");
+    }
 }
