@@ -12,7 +12,7 @@ use ::exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer, LineOrder,
     ReadChannels as _, ReadLayers as _, Text, WritableImage as _, read,
 };
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 use half::f16;
 use siphasher::sip::SipHasher13;
 
@@ -140,12 +140,12 @@ pub fn encode(
     for layer in layers {
         for (channel, numbers) in &layer.channels {
             if numbers.len() != width * height {
-                return Err(failure("a channel has another size than the picture"));
+                return Err(failure(tr!("a channel has another size than the picture")));
             }
             let is_alone = layer.name.is_empty();
             let name = if is_alone { channel.clone() } else { format!("{}.{channel}", layer.name) };
             let text = Text::new_or_none(&name)
-                .ok_or_else(|| failure(&format!("`{name}` is no name that EXR can hold")))?;
+                .ok_or_else(|| failure(&tr!("`{name}` is no name that EXR can hold")))?;
             let samples = match layer.samples.unwrap_or(encoding.samples) {
                 SampleType::Half => FlatSamples::F16(numbers.iter().map(|x| half_of(*x)).collect()),
                 SampleType::Float => FlatSamples::F32(numbers.clone()),
@@ -166,7 +166,7 @@ pub fn encode(
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|error| failure(&error.to_string()))?;
     let mut bytes = bytes.into_inner();
-    header::sort_attributes(&mut bytes).ok_or_else(|| failure("its header is cut off"))?;
+    header::sort_attributes(&mut bytes).ok_or_else(|| failure(tr!("its header is cut off")))?;
     Ok(bytes)
 }
 
@@ -264,7 +264,7 @@ fn is_own(bytes: &[u8]) -> bool {
 }
 
 fn failure(reason: &str) -> Diagnostic {
-    Diagnostic::error("exr", format!("the EXR cannot be written or read: {reason}"))
+    Diagnostic::error("exr", tr!("the EXR cannot be written or read: {reason}"))
 }
 
 #[cfg(test)]
