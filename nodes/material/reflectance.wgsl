@@ -23,7 +23,7 @@ import chiaro::material;
 ///   to Along.
 /// @param at_normal "Reflectance" default=0.04 min=0 max=1 : GGX: what is reflected straight on;
 ///   metals are above 0.5.
-/// @param wrap "Wrap" default=0.5 min=0 max=1 : Wrapped: how far light creeps around.
+/// @param wrap "Light wrap" default=0.5 min=0 max=1 : Wrapped: how far light creeps around.
 /// @return tone "Tone" : 0 or more; a highlight may be far above 1.
 /// @source Phong 1975, Blinn 1977, Cook and Torrance 1982, Ward 1992, Oren and Nayar 1994, Green
 ///   2004, Mitchell et al. 2006, Walter et al. 2007

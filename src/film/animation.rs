@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 
+use chiaro_locale::tr;
+
 use crate::FrameRate;
 use crate::diag::Diagnostic;
 use crate::frame::Picture;
@@ -15,7 +17,7 @@ struct BoundedBytes(Vec<u8>);
 impl Write for BoundedBytes {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if self.0.len() + bytes.len() > MAX_BYTES {
-            return Err(io::Error::other("an animation of so many pixels is too large"));
+            return Err(io::Error::other(tr!("an animation of so many pixels is too large")));
         }
         self.0.extend_from_slice(bytes);
         Ok(bytes.len())
@@ -38,7 +40,8 @@ pub fn animated(
     pictures: impl IntoIterator<Item = Result<Picture, Diagnostic>>,
 ) -> Result<Vec<u8>, Diagnostic> {
     let mut pictures = pictures.into_iter();
-    let first = pictures.next().ok_or_else(|| problem("an animation has a picture at least"))??;
+    let first =
+        pictures.next().ok_or_else(|| problem(tr!("an animation has a picture at least")))??;
     let size = first.size;
     let mut bytes = BoundedBytes(Vec::new());
     let mut encoder = ::png::Encoder::new(&mut bytes, size[0], size[1]);
@@ -54,7 +57,7 @@ pub fn animated(
     for picture in pictures {
         let picture = picture?;
         if picture.size != size {
-            return Err(problem("the pictures of an animation are of one size"));
+            return Err(problem(tr!("the pictures of an animation are of one size")));
         }
         let next = rgb8(&picture);
         let [left, top, width, height] = changed(&last, &next, size);
@@ -73,7 +76,7 @@ pub fn animated(
         written += 1;
     }
     if written != count {
-        return Err(problem("an animation has as many pictures as it says"));
+        return Err(problem(tr!("an animation has as many pictures as it says")));
     }
     writer.finish().map_err(|error| failed(&error))?;
     Ok(bytes.0)
@@ -120,7 +123,7 @@ fn failed(error: &::png::EncodingError) -> Diagnostic {
 
 fn problem(message: &str) -> Diagnostic {
     Diagnostic::error("png", message)
-        .hint("ask for fewer frames or smaller ones, with --frames or --width")
+        .hint(tr!("ask for fewer frames or smaller ones, with --frames or --width"))
 }
 
 #[cfg(test)]

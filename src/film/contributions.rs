@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
+use chiaro_locale::tr;
+
 use crate::compile::{AovSource, BentLights, StackPart, StackParts, StepId, Transfer, check};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
@@ -234,32 +236,32 @@ fn bends_lights(
     no_table: Option<String>,
 ) -> Diagnostic {
     let node = &bent.node;
-    let message = format!(
-        "`{node}` of `{}` bends what several lights give together: their contributions cannot be \
-         parted and stay one layer, `{MIXED}`",
-        look.name
+    let message = tr!(
+        "`{node}` of `{look}` bends what several lights give together: their contributions cannot \
+         be parted and stay one layer, `{MIXED}`",
+        look = look.name
     );
     let hint = match (value, no_table) {
-        (Some(value), None) => format!(
-            "the layer `{value}` is what goes into it, and {value}.cube what becomes of that"
-        ),
-        (Some(value), Some(reason)) => {
-            format!("the layer `{value}` is what goes into it; it has no table, for {reason}")
+        (Some(value), None) => {
+            tr!("the layer `{value}` is what goes into it, and {value}.cube what becomes of that")
         }
-        (None, _) => format!("let `{node}` run for each light, in a group that sums up after it"),
+        (Some(value), Some(reason)) => {
+            tr!("the layer `{value}` is what goes into it; it has no table, for {reason}")
+        }
+        (None, _) => tr!("let `{node}` run for each light, in a group that sums up after it"),
     };
     Diagnostic::warning("not-parted", message).node(node.clone()).hint(hint)
 }
 
 fn cannot_be_parted(look: &Look, node: &NodePath) -> Diagnostic {
-    let message = format!(
-        "`{}` changes the sum of the layers of `{}` and cannot be parted: contributions add up to \
-         what goes into it",
-        node, look.name
+    let message = tr!(
+        "`{node}` changes the sum of the layers of `{look}` and cannot be parted: contributions \
+         add up to what goes into it",
+        look = look.name
     );
-    Diagnostic::warning("not-parted", message)
-        .node(node.clone())
-        .hint("grade the layers before they are laid over one another, or grade in the compositor")
+    let hint =
+        tr!("grade the layers before they are laid over one another, or grade in the compositor");
+    Diagnostic::warning("not-parted", message).node(node.clone()).hint(hint)
 }
 
 /// The contributions of lights by the lights' names, for a matte of them.

@@ -79,9 +79,9 @@ impl FromStr for FrameList {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let form = || {
-            "write frames as 1-240, every second one as 1-240x2 (a step is 1 or more), and several \
-             as 1-48,60,96-120"
-                .to_owned()
+            tr!("write frames as 1-240, every second one as 1-240x2 (a step is 1 or more), and \
+                 several as 1-48,60,96-120")
+            .to_owned()
         };
         let mut frames = Vec::new();
         for part in text.split(',').map(str::trim) {
@@ -97,11 +97,11 @@ impl FromStr for FrameList {
             };
             let (first, last) = (number(first)?, number(last)?);
             if first > last {
-                return Err(format!("the last frame of `{part}` comes before its first"));
+                return Err(tr!("the last frame of `{part}` comes before its first"));
             }
             let count = (last - first) as usize / step + 1;
             if frames.len() + count > MAX_FRAMES {
-                return Err(format!("these are more than {MAX_FRAMES} frames"));
+                return Err(tr!("these are more than {MAX_FRAMES} frames"));
             }
             frames.extend((first..=last).step_by(step));
         }

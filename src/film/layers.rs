@@ -5,6 +5,8 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+use chiaro_locale::tr;
+
 use crate::compile::{AovSource, Live, ShadowOutput, check};
 use crate::contributions::Contributions;
 use crate::cryptomatte::{Cryptomatte, MatteCoverage};
@@ -113,18 +115,20 @@ impl AskedLayers {
         let mut seen: HashSet<&str> = MatteKind::all().map(|(_, kind)| kind.name()).collect();
         for request in &self.aovs {
             if !is_legal(&request.name) {
-                let hint = "use letters, digits and underscores, and no digit at the beginning";
-                let message = format!("`{}` is no name that compositors take", request.name);
+                let hint =
+                    tr!("use letters, digits and underscores, and no digit at the beginning");
+                let message = tr!("`{name}` is no name that compositors take", name = request.name);
                 return Err(problem(message).hint(hint));
             }
             if !seen.insert(&request.name) {
-                let message = format!("two layers have the name `{}`", request.name);
-                return Err(problem(message).hint("name each once: --aov NAME=NODE.OUTPUT"));
+                let message = tr!("two layers have the name `{name}`", name = request.name);
+                return Err(problem(message).hint(tr!("name each once: --aov NAME=NODE.OUTPUT")));
             }
         }
         if self.aovs.len() > MOST_LAYERS {
-            let message = format!("{} layers are more than {MOST_LAYERS}", self.aovs.len());
-            return Err(problem(message).hint("ask for fewer, or render twice"));
+            let count = self.aovs.len();
+            let message = tr!("{count} layers are more than {MOST_LAYERS}");
+            return Err(problem(message).hint(tr!("ask for fewer, or render twice")));
         }
         Ok(())
     }
@@ -413,7 +417,7 @@ pub fn shadow_outputs(
 /// The problem of an output without the name of its layer; of a node that no look has with the node
 /// that may be meant.
 fn without_name(setup: &Setup, problem: Diagnostic, node: &str, port: &str) -> Diagnostic {
-    let named = |node: &str| format!("a layer of an output has a name: --aov {port}={node}.{port}");
+    let named = |node: &str| tr!("a layer of an output has a name: --aov {port}={node}.{port}");
     let path = NodePath::parse(node.rsplit_once(':').map_or(node, |(_, node)| node));
     let looks = || setup.looks.iter().map(|worn| &worn.look);
     let Some(outer) =
@@ -439,8 +443,8 @@ fn without_name(setup: &Setup, problem: Diagnostic, node: &str, port: &str) -> D
 /// `aov` with the form, and names of looks that are near.
 pub fn wire_request(setup: &Setup, text: &str) -> Result<AovRequest, Diagnostic> {
     let form = || {
-        Diagnostic::error("aov", format!("`{text}` names no layer"))
-            .hint("write --aov NAME=NODE.OUTPUT; --list-aovs shows what there is")
+        Diagnostic::error("aov", tr!("`{text}` names no layer"))
+            .hint(tr!("write --aov NAME=NODE.OUTPUT; --list-aovs shows what there is"))
     };
     let Some((name, wire)) = text.split_once('=') else {
         let named = named_outputs(setup);
@@ -464,7 +468,7 @@ pub fn wire_request(setup: &Setup, text: &str) -> Result<AovRequest, Diagnostic>
     let number = |look: &str| {
         let names = || setup.looks.iter().map(|setup| setup.look.name.as_str());
         names().position(|name| name == look).ok_or_else(|| {
-            let message = format!("no object wears a look named `{look}`");
+            let message = tr!("no object wears a look named `{look}`");
             Diagnostic::error("unknown-look", message).suggest(look, names())
         })
     };

@@ -1,5 +1,7 @@
 //! Contact sheets: pictures in rows, each with its labels below.
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::document::{linear_to_srgb, srgb_to_linear};
 use crate::frame::Picture;
@@ -54,7 +56,7 @@ pub fn draw_with_places(
     cells: &[SheetCell],
     columns: usize,
 ) -> Result<(Picture, Vec<[u32; 4]>), Diagnostic> {
-    let no_font = || Diagnostic::error("no-font", "the font of labels cannot be read");
+    let no_font = || Diagnostic::error("no-font", tr!("the font of labels cannot be read"));
     let (text, heading) = Typeface::new(TEXT).zip(Typeface::new(TITLE)).ok_or_else(no_font)?;
     let columns = columns.clamp(1, cells.len().max(1));
     let side = |at: usize| cells.iter().map(|cell| cell.picture.size[at]).max().unwrap_or(0);
@@ -67,9 +69,9 @@ pub fn draw_with_places(
     let size = [along(columns, cell[0]) + u64::from(GAP), along(rows, cell[1]) + u64::from(top)];
     if size.iter().any(|side| *side > MAX_SIDE) || size[0] * size[1] > MAX_PIXELS {
         let [width, height] = size;
-        let message = format!("the sheet would be {width}x{height} pixels, which is too large");
+        let message = tr!("the sheet would be {width}x{height} pixels, which is too large");
         return Err(Diagnostic::error("too-many-cells", message)
-            .hint("ask for fewer or for smaller pictures, with --cells or --width"));
+            .hint(tr!("ask for fewer or for smaller pictures, with --cells or --width")));
     }
     let size = size.map(|side| side as u32);
     let mut sheet = Picture { size, rgba: vec![PAPER; size[0] as usize * size[1] as usize] };

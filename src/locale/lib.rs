@@ -12,6 +12,7 @@ extern crate self as chiaro_locale;
 mod catalog;
 mod fill;
 
+use std::cell::Cell;
 use std::sync::{OnceLock, PoisonError, RwLock};
 
 pub use chiaro_locale_macros::{text, tr, trn};
@@ -75,7 +76,33 @@ pub fn speak(language: Option<&'static Language>) {
 
 /// Language that is spoken; none is English.
 pub fn spoken() -> Option<&'static Language> {
+    if IS_ENGLISH.get() {
+        return None;
+    }
     *SPOKEN.read().unwrap_or_else(PoisonError::into_inner)
+}
+
+thread_local! {
+    /// True while texts of this thread go into a file.
+    static IS_ENGLISH: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Scope of English texts. Its end restores what was before, even where the work panics.
+struct EnglishScope {
+    was_english: bool,
+}
+
+impl Drop for EnglishScope {
+    fn drop(&mut self) {
+        IS_ENGLISH.set(self.was_english);
+    }
+}
+
+/// Result of work on this thread whose texts are English in every language: those that go into
+/// files, which are the same for all who open them.
+pub fn in_english<T>(work: impl FnOnce() -> T) -> T {
+    let _scope = EnglishScope { was_english: IS_ENGLISH.replace(true) };
+    work()
 }
 
 /// Language of the system that is among these, by the first that the user prefers.
@@ -203,6 +230,11 @@ msgstr ""
         assert_eq!(tr_in("button", "Cancel"), "Abbrechen", "it is the same in every context");
         assert_eq!([tr!("tool" => "Fill"), tr!("Fill")], ["Füllen", "Fill"]);
         assert_eq!([1, 2].map(layers), ["1 Ebene", "2 Ebenen"]);
+        assert_eq!(
+            in_english(|| [text!("Cancel").tr().to_owned(), layers(2)]),
+            ["Cancel", "2 layers"]
+        );
+        assert_eq!(tr!("Cancel"), "Abbrechen", "for that work alone");
         speak(None);
         assert_eq!(text!("Cancel").tr(), "Cancel");
     }

@@ -393,7 +393,7 @@ fn a_key_takes_the_values_that_are_seen() {
     let back = at(&hand, "Direction key 2");
     hand.drag(back, back + vec2(12.0, 4.0));
     assert_ne!(hand.look().direction_keys[0].keys[1].direction, [0.2, 0.5, -0.85]);
-    assert_eq!(hand.app().session().steps().undo_label(), Some("change keys"));
+    assert_eq!(hand.app().session().steps().undo_label(), Some("move key 2: Lit from behind"));
     hand.undo();
     assert_eq!(hand.look().direction_keys[0].keys[1].direction, [0.2, 0.5, -0.85]);
 }

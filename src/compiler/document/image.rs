@@ -7,6 +7,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -63,15 +64,15 @@ impl HcbtfImage {
             HcbtfText::deserialize(deserializer)?;
         // The bound is checked before anything is unpacked.
         if tiles.iter().map(PackedTile::texel_bytes).sum::<u64>() > Hcbtf::MAX_PAINTED_BYTES {
-            return Err(D::Error::custom("the tiles are larger than can be"));
+            return Err(D::Error::custom(tr!("the tiles are larger than can be")));
         }
         let unpack = |packed: &PackedTile| {
-            packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"))
+            packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom(tr!("a damaged tile")))
         };
         let tiles: Vec<Arc<Tile>> = tiles.iter().map(unpack).collect::<Result<_, _>>()?;
         let of = |(address, place): (Address, usize)| {
             let tile =
-                tiles.get(place).ok_or_else(|| D::Error::custom("a sample without a tile"))?;
+                tiles.get(place).ok_or_else(|| D::Error::custom(tr!("a sample without a tile")))?;
             Ok((address, tile.clone()))
         };
         let painted = painted.into_iter().map(of).collect::<Result<_, D::Error>>()?;
@@ -158,6 +159,7 @@ pub(super) mod of_hcbtf {
 pub(super) mod of_tile {
     use std::sync::Arc;
 
+    use chiaro_locale::tr;
     use serde::de::Error as _;
     use serde::{Deserialize as _, Deserializer, Serialize as _, Serializer};
 
@@ -175,7 +177,7 @@ pub(super) mod of_tile {
         source: D,
     ) -> Result<Option<Arc<Tile>>, D::Error> {
         let unpack = |packed: PackedTile| {
-            packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"))
+            packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom(tr!("a damaged tile")))
         };
         Option::<PackedTile>::deserialize(source)?.map(unpack).transpose()
     }

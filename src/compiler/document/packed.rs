@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use chiaro_locale::tr;
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
@@ -55,7 +56,7 @@ impl Serialize for Bytes {
 impl<'de> Deserialize<'de> for Bytes {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        let bytes = BASE64.decode(text.trim()).map_err(|_| D::Error::custom("no base64"))?;
+        let bytes = BASE64.decode(text.trim()).map_err(|_| D::Error::custom(tr!("no base64")))?;
         Ok(Self(bytes.into()))
     }
 }

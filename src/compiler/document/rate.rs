@@ -93,7 +93,7 @@ impl FromStr for FrameRate {
             |text: &str| text.parse().ok().filter(|number| (1..=1_000_000).contains(number));
         let rate = number(frames).zip(number(seconds));
         rate.map(|(frames, seconds)| Self { frames, seconds }).ok_or_else(|| {
-            "write frames per second as 24, as 23.976, or as a fraction such as 24000/1001"
+            tr!("write frames per second as 24, as 23.976, or as a fraction such as 24000/1001")
                 .to_owned()
         })
     }

@@ -39,9 +39,11 @@ pub(crate) fn labelled(look: LookWithLibrary<'_>, problem: &Diagnostic, text: &s
 /// The label of a step of the history, in which ports have the labels of the canvas: *Back-light:
 /// Stack* for `back_light.below`.
 pub(crate) fn step_labelled(look: LookWithLibrary<'_>, label: &str) -> String {
-    let word = |word: &str| {
+    let word = |whole: &str| {
+        // Names of a list end with commas.
+        let word = whole.trim_end_matches(',');
         let label = word.contains('.').then(|| label_of(look, word)).flatten();
-        label.unwrap_or_else(|| word.to_owned())
+        label.map_or_else(|| whole.to_owned(), |label| label + &whole[word.len()..])
     };
     label.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
@@ -102,6 +104,8 @@ mod tests {
         assert_eq!(step, "wire Base: Stack to Back-light: Below");
         let step = step_labelled(look, "change keys of lights.key.intensity");
         assert_eq!(step, "change keys of Sun: Intensity");
+        let step = step_labelled(look, "change rim.cutoff, rim.below");
+        assert_eq!(step, "change Back-light: Cut-off, Back-light: Below");
         assert_eq!(step_labelled(look, "key lights.moon.intensity"), "key lights.moon.intensity");
     }
 }

@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::{DMat3, DVec3, Vec3};
 
 use super::lying;
@@ -404,7 +405,7 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let (size, view) = (surface.key.size, surface.view);
     let drawn = texels(surface)?;
     let pass = Context::KAPPA.pass();
-    let nothing = || Diagnostic::error("reference-plan", "no pass measures curvature");
+    let nothing = || Diagnostic::error("reference-plan", tr!("no pass measures curvature"));
     let pass = pass.ok_or_else(nothing)?;
     let plan = FramePlan::of_screens(pass, view, size);
     let mut images = PassImages::default();
@@ -418,7 +419,7 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
 /// Texels of the surface as the pass that draws normals makes them, by its own function.
 fn texels(surface: &Surface) -> Result<Texels, Diagnostic> {
     let (view, rotation) = (surface.view, surface.view.rotation());
-    let nothing = || Diagnostic::error("reference-plan", "no function packs texels");
+    let nothing = || Diagnostic::error("reference-plan", tr!("no function packs texels"));
     let node = Library::built_in().nodes.values().next().ok_or_else(nothing)?;
     let program = node.module.program("surface_texel")?;
     let mut machine = program.machine(Precision::F64);

@@ -1,5 +1,6 @@
 //! Blender: a script that makes a scene whose compositor puts the picture together.
 
+use chiaro_locale::tr;
 use serde_json::json;
 
 use super::{Comp, LayerSpace};
@@ -28,7 +29,7 @@ pub(super) fn write(comp: &Comp) -> Result<String, Diagnostic> {
         "output": comp.output,
     });
     let data = serde_json::to_string_pretty(&data).map_err(|error| {
-        Diagnostic::error("no-comp", format!("the document cannot be written: {error}"))
+        Diagnostic::error("no-comp", tr!("the document cannot be written: {error}"))
     })?;
     let about = comp.about().replace(char::is_control, " ");
     Ok(format!("# {about}\n{}", SCRIPT.replacen(PLACE, &data, 1)))

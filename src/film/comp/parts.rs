@@ -3,6 +3,8 @@
 //! Names say which layers are of lights and which of stacks, and not whether they are all, or each
 //! once: a light and its share in a layer begin alike. So the numbers decide.
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::exr::ExrContent;
 use crate::naming::LayerNaming;
@@ -59,7 +61,7 @@ impl PictureParts {
     ) -> Result<Vec<Self>, Diagnostic> {
         let layers = color_layers(content);
         let (naming, whole) = whole_of(&layers).ok_or_else(|| {
-            no_parts("it has no layer that is the sum of the others, as `beauty` is")
+            no_parts(tr!("it has no layer that is the sum of the others, as `beauty` is"))
         })?;
         let space = space.map_or_else(|| space_of(content), Ok)?;
         let of = |layers: Vec<String>| Self {
@@ -69,7 +71,7 @@ impl PictureParts {
             space,
         };
         if let Some(missing) = named.iter().find(|name| !layers.contains(name)) {
-            let message = format!("it has no layer `{missing}` of three colors");
+            let message = tr!("it has no layer `{missing}` of three colors");
             return Err(Diagnostic::error("no-parts", message)
                 .suggest(missing, layers.iter().map(String::as_str)));
         }
@@ -78,13 +80,13 @@ impl PictureParts {
         }
         let candidates = candidates(&layers, naming, &whole);
         if candidates.is_empty() {
-            return Err(no_parts(&format!("it has no layers beside `{whole}`")));
+            return Err(no_parts(&tr!("it has no layers beside `{whole}`")));
         }
         let whole_ones = candidates.into_iter().map(of).filter(|parts| parts.is_whole(content));
         let whole_ones: Vec<Self> = whole_ones.collect();
         if whole_ones.is_empty() {
-            let message = format!("no lights and no layers of it add up to `{whole}`");
-            return Err(no_parts(&message).hint("say which do: --layers light_key,light_rim"));
+            let message = tr!("no lights and no layers of it add up to `{whole}`");
+            return Err(no_parts(&message).hint(tr!("say which do: --layers light_key,light_rim")));
         }
         Ok(whole_ones)
     }
@@ -126,8 +128,8 @@ fn step_of(number: f64) -> f64 {
 }
 
 fn no_parts(reason: &str) -> Diagnostic {
-    Diagnostic::error("no-parts", format!("the picture cannot be put together: {reason}"))
-        .hint("draw it with what its lights add: chiaro render SCENE -o FILE.exr --aov lights")
+    Diagnostic::error("no-parts", tr!("the picture cannot be put together: {reason}"))
+        .hint(tr!("draw it with what its lights add: chiaro render SCENE -o FILE.exr --aov lights"))
 }
 
 /// Names of the layers with red, green and blue, in the order of the alphabet.
@@ -162,16 +164,16 @@ fn space_of(content: &ExrContent) -> Result<LayerSpace, Diagnostic> {
     match &content.layers_in {
         Some(name) => {
             spaces().find(|(known, _)| known == name).map(|(_, space)| space).ok_or_else(|| {
-                let message = format!(
+                let message = tr!(
                     "the layers are in several spaces ({name}), so that no sum of them is the \
                      picture"
                 );
                 Diagnostic::error("mixed-spaces", message)
-                    .hint("let all looks of the scene blend in one space, or draw them apart")
+                    .hint(tr!("let all looks of the scene blend in one space, or draw them apart"))
             })
         }
-        None => Err(no_parts("its header does not say in which space its layers add up")
-            .hint("say so: --layers-in display, or linear, as its looks blend")),
+        None => Err(no_parts(tr!("its header does not say in which space its layers add up"))
+            .hint(tr!("say so: --layers-in display, or linear, as its looks blend"))),
     }
 }
 

@@ -140,12 +140,12 @@ pub fn encode(
     for layer in layers {
         for (channel, numbers) in &layer.channels {
             if numbers.len() != width * height {
-                return Err(unwritable("a channel has another size than the picture"));
+                return Err(unwritable(tr!("a channel has another size than the picture")));
             }
             let is_alone = layer.name.is_empty();
             let name = if is_alone { channel.clone() } else { format!("{}.{channel}", layer.name) };
             let text = Text::new_or_none(&name)
-                .ok_or_else(|| unwritable(&format!("`{name}` is no name that EXR can hold")))?;
+                .ok_or_else(|| unwritable(&tr!("`{name}` is no name that EXR can hold")))?;
             let samples = match layer.samples.unwrap_or(encoding.samples) {
                 SampleType::Half => FlatSamples::F16(numbers.iter().map(|x| half_of(*x)).collect()),
                 SampleType::Float => FlatSamples::F32(numbers.clone()),
@@ -166,7 +166,7 @@ pub fn encode(
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|error| unwritable(&error.to_string()))?;
     let mut bytes = bytes.into_inner();
-    header::sort_attributes(&mut bytes).ok_or_else(|| unwritable("its header is cut off"))?;
+    header::sort_attributes(&mut bytes).ok_or_else(|| unwritable(tr!("its header is cut off")))?;
     Ok(bytes)
 }
 

@@ -10,7 +10,7 @@ mod openjd;
 pub mod simulation;
 mod slurm;
 
-use chiaro_locale::{Text, text};
+use chiaro_locale::{Text, text, tr};
 
 use crate::diag::Diagnostic;
 use crate::frames::FrameList;
@@ -145,9 +145,9 @@ fn refuse_more(job: &FarmJob, most: usize, farm: &str) -> Result<Vec<String>, Di
     if chunks.len() <= most {
         return Ok(chunks);
     }
-    let message = format!("{} tasks are more than {farm} takes, {most}", chunks.len());
+    let message = tr!("{count} tasks are more than {farm} takes, {most}", count = chunks.len());
     let chunk = job.frames.frames().len().div_ceil(most);
-    Err(no_job(message).hint(format!("draw more frames in a task: --chunk {chunk}")))
+    Err(no_job(message).hint(tr!("draw more frames in a task: --chunk {chunk}")))
 }
 
 /// A word for a POSIX shell.

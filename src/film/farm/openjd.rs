@@ -1,5 +1,6 @@
 //! Open Job Description: a job template of two steps.
 
+use chiaro_locale::tr;
 use serde_json::{Value as Json, json};
 
 use super::{FarmJob, no_job, refuse_more};
@@ -21,10 +22,10 @@ const NOTICE: u32 = 10;
 pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
     let words = job.render.iter().chain([&job.program, &job.output, &job.sheet]);
     if let Some(word) = words.into_iter().find(|word| word.contains("{{")) {
-        let message = format!("`{word}` has the signs of a template's own values, {{{{");
-        return Err(no_job(message).hint("choose a name without them"));
+        let message = tr!("`{word}` has the signs of a template's own values, {{{{");
+        return Err(no_job(message).hint(tr!("choose a name without them")));
     }
-    let chunks = refuse_more(job, MAX_TASKS, "a parameter of a template")?;
+    let chunks = refuse_more(job, MAX_TASKS, tr!("a parameter of a template"))?;
     let render = format!("{} --progress openjd", job.render("'{{Task.Param.Frames}}'"));
     let [verify, sheet] = job.check();
     let name: String = job.name.chars().take(MAX_NAME).collect();

@@ -1,5 +1,7 @@
 //! Slurm: an array of tasks, and a job that waits for it.
 
+use chiaro_locale::tr;
+
 use super::{ATTEMPTS, FarmJob, quoted, refuse_more};
 use crate::diag::Diagnostic;
 
@@ -10,7 +12,7 @@ const MAX_TASKS: usize = 1001;
 ///
 /// `afterany` and not `afterok`: the check is to say which frames are missing.
 pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
-    let chunks = refuse_more(job, MAX_TASKS, "an array of Slurm")?;
+    let chunks = refuse_more(job, MAX_TASKS, tr!("an array of Slurm"))?;
     let last = chunks.len().saturating_sub(1);
     let chunks = chunks.join(" ");
     let (name, check_name) = (quoted(&job.name), quoted(&format!("{}-check", job.name)));

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use super::model::{FitShot, Model};
@@ -50,11 +51,11 @@ pub(super) fn goals_of(
     let found: Vec<PixelGoal> =
         pixels.iter().filter_map(|pixel| by_pixel.get(pixel).map(|goal| **goal)).collect();
     if found.is_empty() {
-        let message = "no painted pixel lies within an object that wears the look";
-        return Err(vec![Diagnostic::error("fit-target", message).hint(
+        let message = tr!("no painted pixel lies within an object that wears the look");
+        return Err(vec![Diagnostic::error("fit-target", message).hint(tr!(
             "paint over the picture as `chiaro render` makes it, at the same size and with the \
-             same mesh and camera",
-        )]);
+             same mesh and camera"
+        ))]);
     }
     Ok(found)
 }

@@ -7,6 +7,7 @@
 //! layer, as one layer's best place is not always the best with the next. If the whole is not near
 //! enough, the lowest layer is turned over, and layers are taken out and searched for again.
 
+use chiaro_locale::tr;
 use glam::DVec3;
 use rayon::iter::{
     IntoParallelIterator as _, IntoParallelRefIterator as _, IntoParallelRefMutIterator as _,
@@ -71,7 +72,7 @@ pub fn fit_layers(
 ) -> Result<FittedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     if !(1..=MAX_LAYERS).contains(&layers) {
-        let message = format!("{layers} layers cannot be laid; it is 1 to {MAX_LAYERS}");
+        let message = tr!("{layers} layers cannot be laid; it is 1 to {MAX_LAYERS}");
         return Err(one(Diagnostic::error("fit-layers", message)));
     }
     let shot = FitShot { setup, look, library, size: target.size, time: options.time };

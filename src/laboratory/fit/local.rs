@@ -12,6 +12,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use super::build::{APART, name_of, values_of};
@@ -58,9 +59,10 @@ pub fn fit_local(
 ) -> Result<FittedLook, Vec<Diagnostic>> {
     let given_look = &setup.looks[look].look;
     let Some(top) = top_of(given_look) else {
-        let problem = Diagnostic::error("fit-output", "nothing is wired into the look's output");
+        let message = tr!("nothing is wired into the look's output");
         return Err(vec![
-            problem.hint("wire a color into it: light is painted over what it shows"),
+            Diagnostic::error("fit-output", message)
+                .hint(tr!("wire a color into it: light is painted over what it shows")),
         ]);
     };
     progress.begin(MOST_LAYERS as u64 + 3);

@@ -5,6 +5,7 @@
 //! are computed side by side on all cores; each is independent of the others, so that the result is
 //! the same on any number of cores.
 
+use chiaro_locale::tr;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use crate::diag::Diagnostic;
@@ -117,7 +118,7 @@ pub(super) fn descend<P: LeastSquares>(
 
 /// Error of a fit that was stopped before it came nearer.
 pub(super) fn stopped() -> Diagnostic {
-    Diagnostic::error("stopped", "the fit was stopped before it came nearer")
+    Diagnostic::error("stopped", tr!("the fit was stopped before it came nearer"))
 }
 
 fn squared(residuals: &[f64]) -> f64 {

@@ -2,6 +2,7 @@
 
 use std::io::Cursor;
 
+use chiaro_locale::tr;
 use image::{DynamicImage, ImageDecoder as _, Limits};
 
 use crate::diag::Diagnostic;
@@ -55,7 +56,7 @@ impl FitTarget {
     pub fn from_png(bytes: &[u8]) -> Result<Self, Diagnostic> {
         let problem = |message: String| Diagnostic::error("fit-target", message);
         let broken = |error: image::ImageError| {
-            problem(format!("the painted picture cannot be decoded: {error}"))
+            problem(tr!("the painted picture cannot be decoded: {error}"))
         };
         let mut limits = Limits::default();
         (limits.max_image_width, limits.max_image_height) = (Some(MAX_SIDE), Some(MAX_SIDE));
@@ -63,7 +64,7 @@ impl FitTarget {
             .map_err(broken)?;
         let (width, height) = decoder.dimensions();
         if width.max(height) > MAX_SIDE {
-            let message = format!(
+            let message = tr!(
                 "the painted picture is {width}x{height} pixels, and a side may have {MAX_SIDE}"
             );
             return Err(problem(message));
@@ -72,11 +73,11 @@ impl FitTarget {
         let target = Self::from_rgba8([width, height], rgba.as_raw());
         if target.goals.is_empty() {
             let problem = problem(
-                "all of the painted picture is transparent, so nothing is wished".to_owned(),
+                tr!("all of the painted picture is transparent, so nothing is wished").to_owned(),
             );
-            return Err(problem.hint(
-                "paint on a transparent layer over the rendered picture, and save that layer",
-            ));
+            return Err(problem.hint(tr!(
+                "paint on a transparent layer over the rendered picture, and save that layer"
+            )));
         }
         Ok(target)
     }

@@ -1,6 +1,8 @@
 //! Fit of an existing look: its lights, profiles and colors are turned until it shows what was
 //! painted.
 
+use chiaro_locale::tr;
+
 use super::choose::{SurfaceSamples, goals_of, pixels_of, thinned, wearing};
 use super::knobs::{Knob, edits, knobs_of};
 use super::model::{FitShot, LookProblem, Model};
@@ -223,12 +225,11 @@ fn model(
     if knobs.is_empty() {
         let problem = Diagnostic::error(
             "fit-nothing",
-            "the look has no light, profile or color that could be turned",
+            tr!("the look has no light, profile or color that could be turned"),
         );
-        return Err(vec![
-            problem
-                .hint("what is wired or keyed stays as it is; or begin from nothing with --layers"),
-        ]);
+        return Err(vec![problem.hint(tr!(
+            "what is wired or keyed stays as it is; or begin from nothing with --layers"
+        ))]);
     }
     Ok((Model::new(shot, knobs, &pixels_of(given))?, begin))
 }

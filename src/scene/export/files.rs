@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 use serde_json::Value;
 
 use super::ExportFile;
@@ -87,7 +87,7 @@ pub fn write(
     outputs: &mut Outputs,
 ) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
-    make_folder(folder).map_err(|problem| one(problem.hint("choose another folder")))?;
+    make_folder(folder).map_err(|problem| one(problem.hint(tr!("choose another folder"))))?;
     check(files, folder, outputs).map_err(one)?;
     let earlier = EarlierDescriptions::of(files, folder);
     let (last, first): (Vec<_>, Vec<_>) =

@@ -1,5 +1,6 @@
 //! Languages of exports: their common description.
 
+use chiaro_locale::tr;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -180,12 +181,13 @@ impl Language {
         (self.write)(&request).map_err(|reason| {
             Diagnostic::error(
                 "export-failed",
-                format!(
-                    "the module `{}` cannot be written as {}: {reason}",
-                    module.name, self.label
+                tr!(
+                    "the module `{module}` cannot be written as {language}: {reason}",
+                    module = module.name,
+                    language = self.label
                 ),
             )
-            .hint("another language may take it; where it should, please report the look")
+            .hint(tr!("another language may take it; where it should, please report the look"))
         })
     }
 }

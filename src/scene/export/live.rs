@@ -6,6 +6,8 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+use chiaro_locale::tr;
+
 use super::modules::{self, Modules};
 use crate::compile::{HostStep, MAX_UNIFORM_BYTES, Param, ParamId, TypedGraph, check, node_title};
 use crate::diag::Diagnostic;
@@ -74,18 +76,18 @@ fn fit(
         return Ok(Vec::new());
     }
     let named: Vec<&str> = left_out.iter().take(MOST_NAMED).map(|v| v.name.as_str()).collect();
-    let more = match left_out.len() - named.len() {
-        0 => String::new(),
-        more => format!(" and {more} more"),
+    let names = match left_out.len() - named.len() {
+        0 => named.join(", "),
+        more => tr!("{names} and {more} more", names = named.join(", ")),
     };
-    let message = format!(
-        "{} of {} values are no parameters: the uniform has no room beyond {} KiB for {}{more}",
-        left_out.len(),
-        all.len() - exposed,
-        MAX_UNIFORM_BYTES / 1024,
-        named.join(", ")
+    let message = tr!(
+        "{count} of {all} values are no parameters: the uniform has no room beyond {most} KiB for \
+         {names}",
+        count = left_out.len(),
+        all = all.len() - exposed,
+        most = MAX_UNIFORM_BYTES / 1024
     );
-    let hint = "expose those that you want to set, in the window or in the look's `exposed`";
+    let hint = tr!("expose those that you want to set, in the window or in the look's `exposed`");
     Ok(vec![Diagnostic::warning("uniform-full", message).hint(hint)])
 }
 

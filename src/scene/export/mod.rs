@@ -40,6 +40,7 @@ mod wgsl;
 
 use std::path::Path;
 
+use chiaro_locale::tr;
 use serde_json::json;
 
 use crate::compile::check;
@@ -90,8 +91,8 @@ pub fn languages<'a>(
             (_, Some(language)) => found.push(language),
             (slug, None) => {
                 let problem =
-                    Diagnostic::error("unknown-language", format!("there is no language `{slug}`"));
-                let hint = format!("the languages are {}, or {ALL}", known.join(", "));
+                    Diagnostic::error("unknown-language", tr!("there is no language `{slug}`"));
+                let hint = tr!("the languages are {names}, or {ALL}", names = known.join(", "));
                 problems.push(problem.suggest(slug, known).hint(hint));
             }
         }

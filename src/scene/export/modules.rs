@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::{tr, tr_in};
 use serde::Serialize;
 
 use super::ExportFile;
@@ -365,18 +366,18 @@ fn refuse_casters(typed: &TypedGraph, draw: &CompiledShader) -> Result<(), Vec<D
     let asks = |node: &&TypedNode| sends_rays(node, node.tier);
     let problems = typed.nodes.iter().filter(asks).map(|node| {
         let hint = match carried(node) {
-            Some((word, _)) => format!(
-                "choose its {word} tier, which an export carries: \"tier\": \"{word}\", or \
-                 `--tier auto` for all such nodes"
-            ),
-            None => {
-                "mute it for the export, and let the program that draws cast the shadow".to_owned()
+            Some((word, _)) => {
+                tr!("choose its {word} tier, which an export carries: \"tier\": \"{word}\", or \
+                 `--tier auto` for all such nodes")
             }
+            None => tr!("mute it for the export, and let the program that draws cast the shadow")
+                .to_owned(),
         };
-        let message = format!(
-            "the node `{}` ({}) sends rays past the meshes of a scene, which an export does not \
-             carry",
-            node.path, node.def.label
+        let message = tr!(
+            "the node `{node}` ({kind}) sends rays past the meshes of a scene, which an export \
+             does not carry",
+            node = node.path,
+            kind = tr_in("node", &node.def.label)
         );
         Diagnostic::error("export-casters", message).node(node.path.clone()).hint(hint)
     });

@@ -1,5 +1,6 @@
 //! SPIR-V 1.3, for Vulkan 1.1 and later: one module with both entry points.
 
+use chiaro_locale::tr;
 use naga::back::spv;
 use serde_json::json;
 
@@ -39,7 +40,9 @@ pub fn spirv_words(valid: &ValidModule) -> Result<Vec<u32>, String> {
 pub fn fragment_spirv_words(valid: &ValidModule) -> Result<Vec<u32>, String> {
     let stage = naga::ShaderStage::Fragment;
     let mut points = valid.module.entry_points.iter();
-    let point = points.find(|point| point.stage == stage).ok_or("there is no fragment stage")?;
+    let point = points
+        .find(|point| point.stage == stage)
+        .ok_or_else(|| tr!("there is no fragment stage"))?;
     let pipeline = spv::PipelineOptions { shader_stage: stage, entry_point: point.name.clone() };
     let options = spv::Options {
         lang_version: (1, 3),

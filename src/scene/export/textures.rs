@@ -3,6 +3,8 @@
 use std::collections::HashSet;
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use super::ExportFile;
 use super::modules::ExportImage;
 use crate::compile::ImageShape;
@@ -77,7 +79,7 @@ fn ending(path: &str, bytes: &[u8]) -> String {
 /// The problem of a map of the mesh's own materials, which an exported look has no mesh for.
 fn of_mesh(path: &str) -> Diagnostic {
     let name = path.trim_start_matches(MESH_PREFIX);
-    let message = format!("each mesh has its own picture for `{name}`, and an exported look none");
+    let message = tr!("each mesh has its own picture for `{name}`, and an exported look none");
     Diagnostic::error("missing-asset", message)
 }
 
@@ -96,10 +98,15 @@ fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> St
 }
 
 fn left_out(problem: &Diagnostic, image: &ExportImage) -> Diagnostic {
-    let message = format!("`{}` is not carried along: {}", image.path, problem.message);
+    let message = tr!(
+        "`{image}` is not carried along: {reason}",
+        image = image.path,
+        reason = problem.message
+    );
     let problem = Diagnostic::warning("not-carried", message).node(image.used.node.clone());
-    problem.hint(match image.path.starts_with(MESH_PREFIX) {
-        true => "the shader is whole; choose a file, such as `hero.glb#images/0`, and export again",
-        false => "the shader is whole; put the file there and export again",
+    problem.hint(if image.path.starts_with(MESH_PREFIX) {
+        tr!("the shader is whole; choose a file, such as `hero.glb#images/0`, and export again")
+    } else {
+        tr!("the shader is whole; put the file there and export again")
     })
 }

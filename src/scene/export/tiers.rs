@@ -5,6 +5,8 @@
 
 use std::collections::BTreeSet;
 
+use chiaro_locale::{tr, tr_in};
+
 use super::options::node_mut;
 use crate::compile::{TierReason, TypedInput, TypedNode, TypedSource, check};
 use crate::diag::Diagnostic;
@@ -42,10 +44,11 @@ pub(super) fn take_carried_tiers(look: &mut Look, library: &mut Library) -> Vec<
         for (node, (word, tier)) in chosen {
             let Some(found) = node_mut(look, library, &node.path) else { return told };
             found.tier = Some(tier);
-            let message = format!(
-                "the node `{}` ({}) is exported in its {word} tier: its exact one sends rays past \
-                 the meshes of a scene, which an export does not carry",
-                node.path, node.def.label
+            let message = tr!(
+                "the node `{node}` ({kind}) is exported in its {word} tier: its exact one sends \
+                 rays past the meshes of a scene, which an export does not carry",
+                node = node.path,
+                kind = tr_in("node", &node.def.label)
             );
             told.push(Diagnostic::warning("cheaper-tier", message).node(node.path.clone()));
         }
@@ -88,7 +91,7 @@ pub(super) fn take_tiers_without_passes(
             };
             found.tier = Some(cheaper);
             chosen.insert(node.path.clone());
-            labels.insert(format!("`{}`", node.def.label));
+            labels.insert(format!("`{}`", tr_in("node", &node.def.label)));
             is_done = false;
         }
         if is_done {
@@ -99,10 +102,10 @@ pub(super) fn take_tiers_without_passes(
         return Vec::new();
     }
     let labels: Vec<String> = labels.into_iter().collect();
-    let message = format!(
+    let message = tr!(
         "nodes are exported in a cheaper tier, which reads no passes before the picture: {package} \
-         draws none; they are {}",
-        labels.join(", ")
+         draws none; they are {names}",
+        names = labels.join(", ")
     );
-    vec![Diagnostic::warning("cheaper-tier", message).hint("`--to web` draws the passes")]
+    vec![Diagnostic::warning("cheaper-tier", message).hint(tr!("`--to web` draws the passes"))]
 }

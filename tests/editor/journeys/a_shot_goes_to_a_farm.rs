@@ -26,8 +26,8 @@ fn a_shot_is_rendered_and_sent_to_a_farm() {
         ["Width of frames", "Height of frames"].map(|it| artist.fields_called(it)[0]);
     artist.type_over(wide, "64");
     artist.type_over(high, "36");
-    artist.bring(Role::CheckBox, "Layers of lights");
-    artist.press_a(Role::CheckBox, "Layers of lights");
+    artist.bring(Role::CheckBox, "Layers: Lights");
+    artist.press_a(Role::CheckBox, "Layers: Lights");
     artist.bring(Role::Button, "Copy the command that renders");
     artist.press_a(Role::Button, "Copy the command that renders");
     let copied = artist.take_copied().unwrap();

@@ -213,10 +213,10 @@ impl Edit {
             Self::SetAovs { .. } => tr!("change named outputs").to_owned(),
             Self::AddTimeKeys { keys, .. } => tr!("key {target}", target = keys.target),
             Self::SetTimeKeys { keys, .. } => tr!("change keys of {target}", target = keys.target),
-            Self::AddDirectionKeys { .. } => tr!("add keys").to_owned(),
-            Self::SetDirectionKeys { .. } => tr!("change keys").to_owned(),
+            Self::AddDirectionKeys { keys, .. } => labels::of_new_keys(keys),
+            Self::SetDirectionKeys { keys, .. } => labels::of_keys(None, keys),
             Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {
-                tr!("remove keys").to_owned()
+                labels::of_removed_keys(None)
             }
             Self::SetMarkers { .. } => tr!("change markers").to_owned(),
         }
@@ -234,6 +234,36 @@ impl Look {
     }
 }
 
+impl Look {
+    /// Label of edits that are one step.
+    fn label_of_several(&self, edits: &[Edit]) -> String {
+        let lights: Option<Vec<_>> = edits
+            .iter()
+            .map(|edit| match edit {
+                Edit::SetLight { id, light } => Some((id, self.lights.get(id), light)),
+                _ => None,
+            })
+            .collect();
+        match (lights, edits) {
+            (_, [edit]) => self.label(edit),
+            (Some(lights), [_, ..]) => labels::of_lights(lights.into_iter()),
+            // Keys of an input begin with a value of its own.
+            (
+                _,
+                [
+                    Edit::SetValue { .. },
+                    keys @ (Edit::AddTimeKeys { .. }
+                    | Edit::AddDirectionKeys { .. }
+                    | Edit::SetDirectionKeys { .. }),
+                ],
+            ) => self.label(keys),
+            _ => labels::of_several(edits).unwrap_or_else(|| {
+                edits.first().map_or_else(|| "nothing".to_owned(), |first| self.label(first))
+            }),
+        }
+    }
+}
+
 impl Editable for Look {
     type Edit = Edit;
 
@@ -244,7 +274,13 @@ impl Editable for Look {
     fn label(&self, edit: &Edit) -> String {
         match edit {
             Edit::SetLight { id, light } => labels::of_light(id, self.lights.get(id), light),
-            Edit::Group { edits } if edits.len() == 1 => self.label(&edits[0]),
+            Edit::SetDirectionKeys { index, keys } => {
+                labels::of_keys(self.direction_keys.get(*index), keys)
+            }
+            Edit::RemoveDirectionKeys { index } => {
+                labels::of_removed_keys(self.direction_keys.get(*index))
+            }
+            Edit::Group { edits } => self.label_of_several(edits),
             Edit::RemoveTimeKeys { index } => match self.time_keys.get(*index) {
                 Some(keys) => tr!("remove keys of {target}", target = keys.target),
                 None => edit.label(),

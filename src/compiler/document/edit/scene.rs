@@ -86,6 +86,34 @@ impl Scene {
     }
 }
 
+impl Scene {
+    /// Label of edits that are one step.
+    fn label_of_several(&self, edits: &[SceneEdit]) -> String {
+        let objects: Option<Vec<_>> = edits
+            .iter()
+            .map(|edit| match edit {
+                SceneEdit::SetObject { id, object } => {
+                    Some((id, self.objects.get(id), object.as_ref()))
+                }
+                _ => None,
+            })
+            .collect();
+        let lights: Option<Vec<_>> = edits
+            .iter()
+            .map(|edit| match edit {
+                SceneEdit::SetLight { id, light } => Some((id, self.lights.get(id), light)),
+                _ => None,
+            })
+            .collect();
+        match (objects, lights, edits) {
+            (Some(objects), _, [_, _, ..]) => labels::of_objects(objects.into_iter()),
+            (_, Some(lights), [_, _, ..]) => labels::of_lights(lights.into_iter()),
+            (_, _, [first, ..]) => self.label(first),
+            _ => "nothing".to_owned(),
+        }
+    }
+}
+
 impl Editable for Scene {
     type Edit = SceneEdit;
 
@@ -186,9 +214,7 @@ impl Editable for Scene {
 
     fn label(&self, edit: &SceneEdit) -> String {
         match edit {
-            SceneEdit::Group { edits } => {
-                edits.first().map_or_else(|| "nothing".to_owned(), |first| self.label(first))
-            }
+            SceneEdit::Group { edits } => self.label_of_several(edits),
             SceneEdit::Replace { .. } => tr!("load the file again").to_owned(),
             SceneEdit::SetSceneName { .. } => tr!("rename the scene").to_owned(),
             SceneEdit::SetSceneAbout { .. } => tr!("describe the scene").to_owned(),

@@ -3,7 +3,7 @@
 use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
-use super::{EditResult, Editable, all_or_none, trial};
+use super::{EditResult, Editable, all_or_none, labels, trial};
 use crate::document::{Camera, FrameRate, Override, Shot, ShotMarker};
 
 /// Edit of a shot.
@@ -133,7 +133,20 @@ impl Editable for Shot {
     fn label(&self, edit: &ShotEdit) -> String {
         match edit {
             ShotEdit::Group { edits } => {
-                edits.first().map_or_else(|| "nothing".to_owned(), |first| self.label(first))
+                let changed = edits.iter().map(|edit| match edit {
+                    ShotEdit::SetOverride { target, change: Some(change), .. } => {
+                        change.value.as_ref().map(|_| target)
+                    }
+                    _ => None,
+                });
+                let targets: Option<Vec<_>> = changed.collect();
+                match (targets, &edits[..]) {
+                    (Some(targets), [_, _, ..]) => {
+                        tr!("change {target} in the shot", target = labels::names(targets))
+                    }
+                    (_, [first, ..]) => self.label(first),
+                    _ => "nothing".to_owned(),
+                }
             }
             ShotEdit::Replace { .. } => tr!("load the file again").to_owned(),
             ShotEdit::SetShotName { .. } => tr!("rename the shot").to_owned(),

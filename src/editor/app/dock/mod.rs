@@ -57,7 +57,7 @@ impl<'de> Deserialize<'de> for Pane {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = String::deserialize(deserializer)?;
         let row = PANELS.iter().find(|row| row.id.0 == name);
-        row.map(Self).ok_or_else(|| de::Error::custom(format!("there is no panel {name}")))
+        row.map(Self).ok_or_else(|| de::Error::custom(tr!("there is no panel {name}")))
     }
 }
 

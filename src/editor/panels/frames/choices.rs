@@ -11,7 +11,10 @@ use crate::commands::{Command, FilmCommand};
 use crate::fields::row::{labelled, several};
 use crate::film::LayerNaming;
 use crate::panels::table::PanelContext;
-use crate::state::runs::{CONTRIBUTIONS, FilmDocument, FrameChoices, MATTES, SampleDepth};
+use crate::state::reading::spoken;
+use crate::state::runs::{
+    CONTRIBUTIONS, FilmDocument, FrameChoices, LayerOption, MATTES, SampleDepth,
+};
 use crate::widgets::theme;
 
 /// Size that is offered where the document says none, in pixels.
@@ -162,12 +165,14 @@ fn numbers(ui: &mut Ui, choices: &mut FrameChoices) {
     let help = tr!("Numbers of an EXR: halves have 16 bits, which is usual; floats have 32");
     several(ui, tr!("Numbers"), help, |ui, _| {
         ui.spacing_mut().item_spacing.x = 2.0;
-        for (depth, text) in [(SampleDepth::Half, "half"), (SampleDepth::Float, "float")] {
+        for (depth, bits, word) in
+            [(SampleDepth::Half, 16, "half"), (SampleDepth::Float, 32, "float")]
+        {
             let is_it = choices.depth == depth;
-            let response = ui.selectable_label(is_it, text);
-            let name = tr!("Numbers as {text}");
+            let response = ui.selectable_label(is_it, tr!("{bits} bits"));
+            let name = tr!("Numbers of {bits} bits");
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
-            if response.clicked() {
+            if response.on_hover_text(format!("--depth {word}")).clicked() {
                 choices.depth = depth;
             }
         }
@@ -200,9 +205,10 @@ fn layers(
     head(ui, tr!("What adds up to the picture, and shadows"));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
-        for (word, help) in CONTRIBUTIONS {
+        for LayerOption { word, label, help } in CONTRIBUTIONS {
             let is_on = choices.aovs.contains(word);
-            if switch(ui, is_on, word, &tr!("Layers of {word}"), help.tr()) {
+            let help = format!("{help}\n--aov {word}");
+            if switch(ui, is_on, label.tr(), &tr!("Layers: {label}"), &help) {
                 toggle(choices, word);
             }
         }
@@ -226,9 +232,10 @@ fn layers(
     head(ui, tr!("Mattes (Cryptomatte)"));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
-        for (word, help) in MATTES {
+        for LayerOption { word, label, help } in MATTES {
             let is_on = choices.mattes.contains(word);
-            if switch(ui, is_on, word, &tr!("Matte of {word}"), help.tr())
+            let help = format!("{help}\n--matte {word}");
+            if switch(ui, is_on, label.tr(), &tr!("Matte: {label}"), &help)
                 && !choices.mattes.remove(word)
             {
                 choices.mattes.insert(word);
@@ -240,13 +247,14 @@ fn layers(
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
         for (word, _) in LayerNaming::all() {
             let is_it = choices.naming == word;
-            let response = ui.selectable_label(is_it, word);
-            let name = tr!("Names as {word}");
+            let program = spoken(word);
+            let response = ui.selectable_label(is_it, &program);
+            let name = tr!("Names as {program}");
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
             let help =
-                tr!("How layers of lights are called: nuke light_key, karma C_key, blender \
-                     Combined_key, arnold RGBA_key");
-            if response.on_hover_text(help).clicked() {
+                tr!("How layers of lights are called: Nuke light_key, Karma C_key, Blender \
+                     Combined_key, Arnold RGBA_key");
+            if response.on_hover_text(format!("{help}\n--naming {word}")).clicked() {
                 choices.naming = word;
             }
         }

@@ -10,22 +10,44 @@ use crate::film::{Contributions, FrameList, FramePattern, FrameRate, MatteKind};
 use crate::ids::make_slug;
 use crate::state::display::DisplayChoice;
 
-/// Words of `--aov` for parts of the picture, with what they are.
-pub(crate) const CONTRIBUTIONS: [(&str, Text); 6] = [
-    ("layers", text!("What each layer of the looks adds to the picture")),
-    ("lights", text!("What each light adds: graded by itself in the compositor")),
-    ("groups", text!("What each group of lights adds")),
-    ("lights-by-layer", text!("What each light adds within each layer")),
-    ("shadows", text!("The shadows of each light")),
-    ("named", text!("All outputs that looks name as passes")),
+/// Layers that an option of the command line asks for by a word.
+pub(crate) struct LayerOption {
+    /// Word of the command line.
+    pub(crate) word: &'static str,
+    /// Label in the window.
+    pub(crate) label: Text,
+    /// Content of the layers.
+    pub(crate) help: Text,
+}
+
+const fn option(word: &'static str, label: Text, help: Text) -> LayerOption {
+    LayerOption { word, label, help }
+}
+
+/// Values of `--aov` for parts of the picture.
+pub(crate) const CONTRIBUTIONS: [LayerOption; 6] = [
+    option("layers", text!("Layers"), text!("What each layer of the looks adds to the picture")),
+    option(
+        "lights",
+        text!("Lights"),
+        text!("What each light adds: graded by itself in the compositor"),
+    ),
+    option("groups", text!("Groups"), text!("What each group of lights adds")),
+    option(
+        "lights-by-layer",
+        text!("Lights by layer"),
+        text!("What each light adds within each layer"),
+    ),
+    option("shadows", text!("Shadows"), text!("The shadows of each light")),
+    option("named", text!("Named passes"), text!("All outputs that looks name as passes")),
 ];
 
-/// Words of `--matte`, with what they are.
-pub(crate) const MATTES: [(&str, Text); 4] = [
-    ("objects", text!("A Cryptomatte of the objects")),
-    ("looks", text!("A Cryptomatte of the looks")),
-    ("materials", text!("A Cryptomatte of the materials")),
-    ("lights", text!("A Cryptomatte of the light that is strongest")),
+/// Values of `--matte`.
+pub(crate) const MATTES: [LayerOption; 4] = [
+    option("objects", text!("Objects"), text!("A Cryptomatte of the objects")),
+    option("looks", text!("Looks"), text!("A Cryptomatte of the looks")),
+    option("materials", text!("Materials"), text!("A Cryptomatte of the materials")),
+    option("lights", text!("Lights"), text!("A Cryptomatte of the light that is strongest")),
 ];
 
 /// Document that is rendered: a file, as it is on the disk.

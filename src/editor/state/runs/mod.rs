@@ -12,7 +12,7 @@ mod variation;
 
 pub(crate) use command_line::CommandLine;
 pub(crate) use frames::{
-    CONTRIBUTIONS, FarmChoices, FilmDocument, FrameChoices, MATTES, SampleDepth,
+    CONTRIBUTIONS, FarmChoices, FilmDocument, FrameChoices, LayerOption, MATTES, SampleDepth,
 };
 pub(crate) use outputs::{OfferedOutput, PickedOutput, matching_outputs, nearest_outputs};
 pub(crate) use progress::{FrameFate, FrameProgress};

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
 
+use chiaro_locale::tr;
 use eframe::egui::ColorImage;
 
 use super::cache::PictureKey;
@@ -65,7 +66,8 @@ impl PictureDrawer {
         let of_display = display.map_or(0, PictureDisplay::number);
         let key = u128::from_str_radix(&self.hasher.hash(plan), 16);
         let key = key.map(|plan| PictureKey(plan ^ of_display));
-        let key = key.map_err(|_| vec![Diagnostic::error("plan-hash", "a plan has no hash")])?;
+        let key =
+            key.map_err(|_| vec![Diagnostic::error("plan-hash", tr!("a plan has no hash"))])?;
         if let Some(known) = self.known.get(&key).and_then(Weak::upgrade) {
             return Ok(((key, known), false));
         }

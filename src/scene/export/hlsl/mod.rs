@@ -12,6 +12,7 @@ mod lists;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
+use chiaro_locale::tr;
 use naga::back::hlsl;
 use serde_json::json;
 
@@ -117,8 +118,8 @@ pub(super) fn write_as(
 /// - `export-failed`: what naga or the writer cannot take.
 pub(super) fn functions(source: &str) -> Result<String, Diagnostic> {
     let lost = |message: String| {
-        Diagnostic::error("export-failed", format!("host work is no HLSL: {message}"))
-            .hint("please report the look; `--to hlsl` may still carry it")
+        Diagnostic::error("export-failed", tr!("host work is no HLSL: {message}"))
+            .hint(tr!("please report the look; `--to hlsl` may still carry it"))
     };
     let valid = wgsl::parse(source).map_err(|error| lost(error.message))?;
     let valid = choices::with_calls(&valid).map_err(lost)?.unwrap_or(valid);
@@ -228,7 +229,7 @@ fn own_samplers(text: &str) -> Result<String, String> {
         result.push('\n');
     }
     if result.contains("nagaSamplerHeap") {
-        return Err("a sampler is used in a way that only the heap allows".to_owned());
+        return Err(tr!("a sampler is used in a way that only the heap allows").to_owned());
     }
     Ok(result)
 }

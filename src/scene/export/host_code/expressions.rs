@@ -1,5 +1,6 @@
 //! Expressions of a function as terms of a language.
 
+use chiaro_locale::tr;
 use naga::proc::TypeResolution;
 use naga::{
     BinaryOperator, DerivativeAxis, Expression, Handle, Literal, MathFunction, RelationalFunction,
@@ -25,7 +26,7 @@ impl FunctionWriter<'_> {
             TypeResolution::Handle(ty) => types::of(self.module, *ty),
             TypeResolution::Value(inner) => types::value_type(self.module, inner),
         };
-        found.ok_or_else(|| self.refusal("a type of its own kind"))
+        found.ok_or_else(|| self.refusal(tr!("a type of its own kind")))
     }
 
     /// The text of an expression.
@@ -135,7 +136,7 @@ impl FunctionWriter<'_> {
         if let Some(name) = named.name.as_deref().and_then(|name| self.shared.constant(name)) {
             return Ok(Term::primary(name));
         }
-        Err(self.refusal("a constant without a name"))
+        Err(self.refusal(tr!("a constant without a name")))
     }
 
     /// The zero of a type.
@@ -174,7 +175,7 @@ impl FunctionWriter<'_> {
     fn members(&self, name: &str) -> Result<Vec<(String, ValueType)>, Refusal> {
         let found = self.module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
         let members = found.and_then(|(handle, _)| types::members(self.module, handle));
-        let members = members.ok_or_else(|| self.refusal(&format!("the struct `{name}`")))?;
+        let members = members.ok_or_else(|| self.refusal(&tr!("the struct `{name}`")))?;
         let styled =
             |(name, ty): (String, ValueType)| (self.dialect.styled(&name, NameOf::Member), ty);
         Ok(members.into_iter().map(styled).collect())
@@ -309,7 +310,7 @@ impl FunctionWriter<'_> {
                 }
                 (BinaryOperator::Add, ..) => "matrix_plus_matrix",
                 (BinaryOperator::Subtract, ..) => "matrix_minus_matrix",
-                _ => return Err(self.refusal("an operation of matrices")),
+                _ => return Err(self.refusal(tr!("an operation of matrices"))),
             };
             if helper == "matrix_times_scalar" && is_matrix(&types[1]) {
                 types.reverse();
@@ -349,7 +350,7 @@ impl FunctionWriter<'_> {
             RelationalFunction::All => "all",
             RelationalFunction::Any => "any",
             RelationalFunction::IsNan | RelationalFunction::IsInf => {
-                return Err(self.refusal("a test for numbers that are none"));
+                return Err(self.refusal(tr!("a test for numbers that are none")));
             }
         };
         let term = self.term(argument)?;
@@ -391,7 +392,7 @@ impl FunctionWriter<'_> {
                     (MathFunction::Length, true) => Some("length"),
                     (MathFunction::Distance, true) => Some("distance"),
                     (MathFunction::Length, false) => return self.operation("abs", operands),
-                    _ => return Err(self.refusal("a distance of numbers")),
+                    _ => return Err(self.refusal(tr!("a distance of numbers"))),
                 }
             }
             _ => None,
@@ -462,7 +463,7 @@ impl FunctionWriter<'_> {
             return Ok(term);
         }
         drop(helpers);
-        let ValueType::Vector(count, _) = vector else { return Err(self.refusal("a vector")) };
+        let ValueType::Vector(count, _) = vector else { return Err(self.refusal(tr!("a vector"))) };
         for (term, ty) in terms.iter_mut().zip(&types) {
             if !is_vector(ty) {
                 *term = self.splat(term.clone(), &ValueType::Vector(count, kind_of(ty)))?;
@@ -474,7 +475,7 @@ impl FunctionWriter<'_> {
         let body = self.dialect.scalar(operation, kind, &places, &mut helpers);
         let Some(body) = body else {
             drop(helpers);
-            return Err(self.refusal(&format!("`{operation}` of vectors")));
+            return Err(self.refusal(&tr!("`{operation}` of vectors")));
         };
         let result = result_kind(operation, kind);
         let name = vector_name(operation, kind);

@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use chiaro_locale::tr;
 use naga::valid::FunctionInfo;
 use naga::{Block, Expression, Function, Handle, LocalVariable, Module, Statement, SwitchValue};
 
@@ -52,9 +53,10 @@ impl<'a> FunctionWriter<'a> {
         let mut parameters = Vec::new();
         for argument in &function.arguments {
             if let naga::TypeInner::Pointer { .. } = module.types[argument.ty].inner {
-                return Err(named("a pointer among its parameters"));
+                return Err(named(tr!("a pointer among its parameters")));
             }
-            let ty = types::of(module, argument.ty).ok_or_else(|| named("a parameter's type"))?;
+            let ty =
+                types::of(module, argument.ty).ok_or_else(|| named(tr!("a parameter's type")))?;
             let name = dialect.styled(argument.name.as_deref().unwrap_or("x"), NameOf::Value);
             parameters.push((names.give(&name), ty));
         }
@@ -86,7 +88,7 @@ impl<'a> FunctionWriter<'a> {
     /// The function's text, under that name.
     pub(super) fn write(mut self, name: &str, doc: &[String]) -> Result<String, Refusal> {
         let result = self.function.result.as_ref().and_then(|it| types::of(self.module, it.ty));
-        let result = result.ok_or_else(|| self.refusal("a function without a result"))?;
+        let result = result.ok_or_else(|| self.refusal(tr!("a function without a result")))?;
         let parameters = self.parameters.clone();
         let head = Head::Function { name, parameters: &parameters, result: &result };
         let mut text: String =
@@ -177,7 +179,7 @@ impl<'a> FunctionWriter<'a> {
             {
                 continue;
             }
-            let ty = types::of(self.module, local.ty).ok_or_else(|| self.refusal("a type"))?;
+            let ty = types::of(self.module, local.ty).ok_or_else(|| self.refusal(tr!("a type")))?;
             self.declared.insert(variable);
             let name = &self.variables[&variable];
             if local.init.is_none()
@@ -302,8 +304,10 @@ impl<'a> FunctionWriter<'a> {
                 self.use_up(statement);
                 self.call(*function, arguments, *result)
             }
-            Statement::Return { value: None } => Err(self.refusal("a function without a result")),
-            _ => Err(self.refusal("what only a GPU does")),
+            Statement::Return { value: None } => {
+                Err(self.refusal(tr!("a function without a result")))
+            }
+            _ => Err(self.refusal(tr!("what only a GPU does"))),
         }
     }
 
@@ -390,7 +394,7 @@ impl<'a> FunctionWriter<'a> {
         value: Handle<Expression>,
     ) -> Result<(), Refusal> {
         let ty = self.type_of(pointer)?;
-        let variable = self.variable(pointer).ok_or_else(|| self.refusal("a pointer"))?;
+        let variable = self.variable(pointer).ok_or_else(|| self.refusal(tr!("a pointer")))?;
         let mut term = self.term(value)?;
         let is_made = matches!(
             self.function.expressions[value],
@@ -431,7 +435,7 @@ impl<'a> FunctionWriter<'a> {
         });
         let terms = arguments.iter().map(|&it| self.term(it)).collect::<Result<Vec<_>, _>>()?;
         let term = Term::call(&self.shared.function(function), &terms);
-        let Some(result) = result else { return Err(self.refusal("a call without a result")) };
+        let Some(result) = result else { return Err(self.refusal(tr!("a call without a result"))) };
         let term = match self.wanted_name(result) {
             Some(wanted) => {
                 let ty = self.type_of(result)?;
@@ -507,7 +511,7 @@ impl<'a> FunctionWriter<'a> {
         cases: &'a [naga::SwitchCase],
     ) -> Result<(), Refusal> {
         let ty = self.type_of(selector)?;
-        let ValueType::Scalar(kind) = ty else { return Err(self.refusal("a switch")) };
+        let ValueType::Scalar(kind) = ty else { return Err(self.refusal(tr!("a switch"))) };
         let term = self.term(selector)?;
         let term = self.declare_value("selected", &ty, &term);
         let mut values: Vec<i64> = Vec::new();
@@ -527,13 +531,13 @@ impl<'a> FunctionWriter<'a> {
             };
             if case.fall_through {
                 if !case.body.is_empty() {
-                    return Err(self.refusal("a switch whose cases fall through"));
+                    return Err(self.refusal(tr!("a switch whose cases fall through")));
                 }
                 continue;
             }
             let body = without_break(&case.body);
             if body.iter().any(leaves) {
-                return Err(self.refusal("a switch that is left in the middle of a case"));
+                return Err(self.refusal(tr!("a switch that is left in the middle of a case")));
             }
             let mut condition: Option<Term> = None;
             for value in values.drain(..) {

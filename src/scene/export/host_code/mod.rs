@@ -20,6 +20,8 @@ mod rust;
 mod types;
 mod uses;
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::interp::Literals;
 use crate::wgsl;
@@ -92,15 +94,16 @@ pub fn translate(
     language: &HostLanguage,
 ) -> Result<String, Diagnostic> {
     let valid = wgsl::parse(source).map_err(|error| {
-        Diagnostic::error("host-code", format!("functions for the host are no WGSL: {error}"))
+        Diagnostic::error("host-code", tr!("functions for the host are no WGSL: {error}"))
     })?;
     let literals = Literals::of(source);
     module::write(&valid, &literals, functions, language.dialect).map_err(|(function, refusal)| {
-        let message = format!(
-            "the function `{function}` uses {}, which host code in {} cannot express",
-            refusal.0, language.label
+        let message = tr!(
+            "the function `{function}` uses {part}, which host code in {language} cannot express",
+            part = refusal.0,
+            language = language.label
         );
         Diagnostic::error("host-code", message)
-            .hint("wire the value by other nodes, or let it be computed per fragment")
+            .hint(tr!("wire the value by other nodes, or let it be computed per fragment"))
     })
 }

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+use chiaro_locale::tr;
 use naga::{Handle, Module};
 
 use super::dialect::{Dialect, Helpers, Kind, MemberSource, NameOf, Term, ValueType};
@@ -216,7 +217,7 @@ fn constants_text(shared: &ModuleWriter<'_>, scanned: &Scan) -> Result<String, R
         let Some(name) = constant.name.as_ref().filter(|name| used.contains(*name)) else {
             continue;
         };
-        let unknown = || Refusal(format!("the constant `{name}`"));
+        let unknown = || Refusal(tr!("the constant `{name}`"));
         let ty = types::of(shared.module, constant.ty).ok_or_else(unknown)?;
         let value = global(shared, constant.init).ok_or_else(unknown)?;
         add(name, &ty, &value);

@@ -27,7 +27,7 @@ mod wgpu_crate;
 use std::path::Path;
 use std::sync::Arc;
 
-use chiaro_locale::Text;
+use chiaro_locale::{Text, tr};
 use glam::DMat4;
 use indexmap::IndexSet;
 use serde_json::json;
@@ -129,22 +129,19 @@ impl PackageRequest<'_> {
             return Ok(());
         }
         let message =
-            format!("the look's painted surface lies in BC7 blocks, which {reader} cannot show");
-        let help = "export it with `--textures compact`, or choose that storage in its node";
+            tr!("the look's painted surface lies in BC7 blocks, which {reader} cannot show");
+        let help = tr!("export it with `--textures compact`, or choose that storage in its node");
         Err(vec![refusal(message, help)])
     }
 
-    /// Refuses passes before the picture, for a package that has none; `why` ends the sentence.
-    fn refuse_passes(&self, why: &str) -> Result<(), Diagnostic> {
+    /// Refuses passes before the picture, for a package that has none; `told` is the reason by the
+    /// name of the first pass.
+    fn refuse_passes(&self, told: impl FnOnce(&str) -> String) -> Result<(), Diagnostic> {
         let mut passes = self.description.passes.iter();
         let Some(pass) = passes.find(|pass| pass.module != "draw") else { return Ok(()) };
-        let message = format!(
-            "the look draws passes before the picture (the first is `{}`), which {why}",
-            pass.name
-        );
         let help =
-            "export with `--tier fast`, whose curvature needs none, or `--to web` or `three`";
-        Err(refusal(message, help))
+            tr!("export with `--tier fast`, whose curvature needs none, or `--to web` or `three`");
+        Err(refusal(told(pass.name), help))
     }
 
     /// Refuses images, for the package of a name that carries none; `help` says what does.
@@ -152,8 +149,7 @@ impl PackageRequest<'_> {
         if self.description.images.is_empty() {
             return Ok(());
         }
-        let message =
-            format!("the look reads images, which the package {package} does not carry yet");
+        let message = tr!("the look reads images, which the package {package} does not carry yet");
         Err(refusal(message, help))
     }
 

@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
+
 use super::super::modules::Host;
 use super::literal::{literal, number, vec3};
 use super::modules::Steps;
@@ -174,9 +176,9 @@ impl TrackWriter<'_> {
 
     /// Error of keys that have another count of numbers than their place.
     fn unfit(&self) -> Diagnostic {
-        problem(format!(
-            "keys of `{}` have another count of numbers than it",
-            self.place.of("the look")
+        problem(tr!(
+            "keys of `{place}` have another count of numbers than it",
+            place = self.place.of("look")
         ))
     }
 
@@ -412,7 +414,7 @@ impl<'a> KeyWriter<'a> {
         let solved = weights
             .solved()
             .or_else(|| KeyWeights::new(&places, KeyScheme::AppendixB).value.solved());
-        let solved = solved.ok_or_else(|| problem("keys without weights"))?;
+        let solved = solved.ok_or_else(|| problem(tr!("keys without weights")))?;
         self.weights(index, &solved);
         let place = self.decider(index, &keys.by, host)?;
         let _ = writeln!(self.body, "    let own_{index} = moved;");

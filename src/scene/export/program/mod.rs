@@ -14,6 +14,8 @@ mod templates;
 
 use std::collections::BTreeMap;
 
+use chiaro_locale::tr;
+
 use super::exposed::Parameters;
 use super::modules::Modules;
 use crate::compile::TypedGraph;
@@ -126,7 +128,7 @@ pub(super) fn build(
 /// The error of a look whose host work cannot be written.
 fn problem(message: impl Into<String>) -> Diagnostic {
     Diagnostic::error("host-program", message)
-        .hint("export languages instead, and compute these numbers as LOOK.json says")
+        .hint(tr!("export languages instead, and compute these numbers as LOOK.json says"))
 }
 
 /// Declarations of several sources, each once.
@@ -143,9 +145,9 @@ impl Declarations {
             match self.known.get(&declaration.name) {
                 Some(known) if *known == text => {}
                 Some(_) => {
-                    return Err(problem(format!(
-                        "two functions are called `{}`",
-                        declaration.name
+                    return Err(problem(tr!(
+                        "two functions are called `{name}`",
+                        name = declaration.name
                     )));
                 }
                 None => {

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
 use naga::{ArraySize, Handle, ScalarKind, TypeInner};
 
 use super::super::modules::{Host, ShaderModule};
@@ -69,7 +70,7 @@ pub(super) fn write(
 /// Type of a member in the shader's uniform.
 fn type_of(host: &Host, member: &UniformMember) -> Result<Handle<naga::Type>, Diagnostic> {
     let module = &host.shader.valid.module;
-    let lost = || problem(format!("the member `{}` has no place", member.name));
+    let lost = || problem(tr!("the member `{name}` has no place", name = member.name));
     let (look, _) =
         module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Look")).ok_or_else(lost)?;
     let named = |ty: Handle<naga::Type>, name: &str| match &module.types[ty].inner {
@@ -131,7 +132,12 @@ impl WordWriter<'_> {
                     self.write(at + member.offset, member.ty, &value.member(index, name))?;
                 }
             }
-            _ => return Err(problem(format!("`{}` is none of numbers alone", value.text()))),
+            _ => {
+                return Err(problem(tr!(
+                    "`{value}` is none of numbers alone",
+                    value = value.text()
+                )));
+            }
         }
         Ok(())
     }
@@ -306,7 +312,7 @@ impl<'a> Steps<'a> {
                 HostStep::Context(context, None) => surrounding(*context)?.to_owned(),
                 HostStep::Context(context, Some(id)) => {
                     let light = self.settings.light(id);
-                    let light = light.ok_or_else(|| problem(format!("no light `{id}`")))?;
+                    let light = light.ok_or_else(|| problem(tr!("no light `{id}`")))?;
                     if !lights.contains_key(id) {
                         let _ = writeln!(text, "    let {} = {};", light.member, light.in_world());
                         lights.insert(id.clone(), light.member.clone());
@@ -351,12 +357,12 @@ impl<'a> Steps<'a> {
         }
         self.undeclared.insert(index, value);
         of_type(&self.host.shader.valid.module)
-            .ok_or_else(|| problem(format!("the value of step {index} cannot be written")))
+            .ok_or_else(|| problem(tr!("the value of step {index} cannot be written")))
     }
 
     /// Name of a member of the struct that a step gives.
     fn member(&self, step: usize, index: usize) -> Result<String, Diagnostic> {
-        let lost = || problem(format!("step {step} is no struct"));
+        let lost = || problem(tr!("step {step} is no struct"));
         let HostStep::Call { function, .. } = &self.host.source.steps[step] else {
             return Err(lost());
         };

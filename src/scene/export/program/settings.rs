@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use chiaro_locale::tr;
+
 use super::super::exposed::Parameters;
 use super::super::modules::Modules;
 use super::literal::is_numeric;
@@ -126,7 +128,7 @@ impl Settings {
                 && found.light(light).is_none()
             {
                 let word = context.word();
-                return Err(problem(format!("there is no light `{light}` to give `{word}`")));
+                return Err(problem(tr!("there is no light `{light}` to give `{word}`")));
             }
         }
         Ok(found)
@@ -176,7 +178,7 @@ pub(super) fn surrounding(context: Context) -> Result<&'static str, Diagnostic> 
         "time" => "around.time",
         "frame" => "around.frame",
         "viewport" => "around.viewport",
-        word => return Err(problem(format!("the surrounding `{word}` is unknown"))),
+        word => return Err(problem(tr!("the surrounding `{word}` is unknown"))),
     })
 }
 
@@ -201,6 +203,6 @@ pub(super) fn light_value(
         "light.source" if is_directional => format!("vec4f({light}.direction, 0.0)"),
         "light.source" => format!("vec4f({light}.position, 1.0)"),
         "light.casters" => "-2.0".to_owned(),
-        word => return Err(problem(format!("`{word}` of a light is unknown"))),
+        word => return Err(problem(tr!("`{word}` of a light is unknown"))),
     })
 }

@@ -9,7 +9,7 @@ mod shader;
 use std::collections::BTreeSet;
 use std::io::Cursor;
 
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 use image::{ColorType, DynamicImage, ImageFormat};
 use serde_json::{Value, json};
 
@@ -47,8 +47,8 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let one = |problem: Diagnostic| vec![problem];
     let host = HostModule::of(request).map_err(one)?;
     let shader = shader::write(request, &module).ok_or_else(|| {
-        let message = "the look's shader has a form that the crate does not know";
-        one(refusal(message, "export it `--to wgpu`"))
+        let message = tr!("the look's shader has a form that the crate does not know");
+        one(refusal(message, tr!("export it `--to wgpu`")))
     })?;
     let (parameters, lights) = (Parameters::of(request), Lights::of(request));
     let mut template = Template::default();
@@ -149,11 +149,11 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     };
     let mut images = request.description.images.iter();
     let found = if !request.work.near.is_empty() {
-        let message = "keys of the look are driven by distances of other objects";
-        refusal(message, "drive them by something else, or export it `--to wgpu`")
+        let message = tr!("keys of the look are driven by distances of other objects");
+        refusal(message, tr!("drive them by something else, or export it `--to wgpu`"))
     } else if images.any(|it| !it.file.as_deref().is_some_and(is_readable)) {
-        let message = "the crate reads images as PNG alone, and one of the look's is none";
-        refusal(message, "save the image as PNG, or export it `--to wgpu`")
+        let message = tr!("the crate reads images as PNG alone, and one of the look's is none");
+        refusal(message, tr!("save the image as PNG, or export it `--to wgpu`"))
     } else {
         return Ok(());
     };

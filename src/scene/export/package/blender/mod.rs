@@ -7,7 +7,7 @@
 
 mod osl;
 
-use chiaro_locale::text;
+use chiaro_locale::{in_english, text, tr};
 
 use super::super::ExportFile;
 use super::{Package, PackageRequest, python, refusal};
@@ -49,7 +49,8 @@ const README: &str = include_str!("README.md");
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     refuse(request)?;
     let look = python::write(request).map_err(|problem| vec![problem])?;
-    let shader = osl::OslShader::of(request);
+    // The README says why a look has no shader of OSL.
+    let shader = in_english(|| osl::OslShader::of(request));
     let cycles = match &shader {
         Ok(shader) => python::literal(&shader.about, 0),
         Err(_) => "None".to_owned(),
@@ -103,16 +104,17 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 
 /// Refuses what the add-on cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
-    request.refuse_blocks("Blender's scripts")?;
+    request.refuse_blocks(tr!("Blender's scripts"))?;
     let described = serde_json::json!(request.description);
     let mut images = described["images"].as_array().cloned().unwrap_or_default();
     // Painted surfaces are read texel by texel.
     images.retain(|image| image["kind"] != "hcbtf");
     let sampling = |image: &serde_json::Value| [image["wrap"].clone(), image["filter"].clone()];
     if images.iter().any(|image| sampling(image) != sampling(&images[0])) {
-        let message =
-            "images of the look have different wraps or filters, and the add-on has one for all";
-        let help = "give the look's image nodes the same wrap and the same filter";
+        let message = tr!(
+            "images of the look have different wraps or filters, and the add-on has one for all"
+        );
+        let help = tr!("give the look's image nodes the same wrap and the same filter");
         return Err(vec![refusal(message, help)]);
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! Numbers of a look's uniform block while nothing is set: what the shader has before its script
 //! runs.
 
+use chiaro_locale::tr;
 use serde_json::{Map, Value, json};
 
 use super::super::{PackageRequest, PackageScene, javascript};
@@ -35,7 +36,7 @@ pub(in crate::export::package) fn numbers(
     let run = |function: &str, settings: Option<interp::Value>| {
         let program = program(function)?;
         let [first, second] = program.parameters() else {
-            return Err(problem(format!("`{function}` takes other values")));
+            return Err(problem(tr!("`{function}` takes other values")));
         };
         let settings = match settings {
             Some(settings) => settings,

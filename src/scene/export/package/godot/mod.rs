@@ -18,7 +18,7 @@ mod uniforms;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 
 use super::super::ExportFile;
 use super::super::description::{DrawnSides, Feed, Member, ModuleDescription, StepDescription};
@@ -53,7 +53,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let stem = request.stem;
     let description = request.description;
     let Some(module) = description.modules.iter().find(|module| module.name == "draw") else {
-        return Err(vec![unknown("no picture")]);
+        return Err(vec![unknown(tr!("no picture"))]);
     };
     let properties = script::properties(request);
     let numbers = defaults::numbers(request).map_err(one)?;
@@ -135,13 +135,13 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
         description.passes.iter().map(|pass| pass.name).filter(|name| *name != "draw").collect();
     if !before.is_empty() {
         return refused(
-            format!(
-                "the look is drawn in several passes ({}), and a material of Godot has one",
-                before.join(", ")
+            tr!(
+                "the look is drawn in several passes ({names}), and a material of Godot has one",
+                names = before.join(", ")
             ),
-            "export it with `--tier auto` or `--tier fast`, whose curvature and normals need no \
-             passes; take outlines, shadows and smooth normals out of the look, or export it \
-             `--to web`",
+            tr!("export it with `--tier auto` or `--tier fast`, whose curvature and normals need \
+                 no passes; take outlines, shadows and smooth normals out of the look, or export \
+                 it `--to web`"),
         );
     }
     let is_linear = description.color_space == ColorSpace::Linear;
@@ -149,17 +149,20 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     for image in description.images.iter().filter(|image| image.kind != "hcbtf") {
         if image.wrap == "mirror" {
             return refused(
-                format!(
-                    "the image `{}` is mirrored where it repeats, as none is in Godot",
-                    image.path
+                tr!(
+                    "the image `{image}` is mirrored where it repeats, as none is in Godot",
+                    image = image.path
                 ),
-                "let the image node repeat or clamp instead",
+                tr!("let the image node repeat or clamp instead"),
             );
         }
         if is_linear && image.encoding == "color" {
             return refused(
-                format!("the image `{}` is turned into linear light as it is read", image.path),
-                "let the look work with colors as shown, or export it `--to three`",
+                tr!(
+                    "the image `{image}` is turned into linear light as it is read",
+                    image = image.path
+                ),
+                tr!("let the look work with colors as shown, or export it `--to three`"),
             );
         }
     }
@@ -168,8 +171,8 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
 
 fn unknown(what: &str) -> Diagnostic {
     refusal(
-        format!("the look's shader reads {what}, which Godot has nothing for"),
-        "export the look `--to web` or `--to three`",
+        tr!("the look's shader reads {what}, which Godot has nothing for"),
+        tr!("export the look `--to web` or `--to three`"),
     )
 }
 

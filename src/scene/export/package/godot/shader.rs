@@ -7,6 +7,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
+
 use super::uniforms::Uniforms;
 use crate::wgsl::{identifiers, rename_identifiers};
 
@@ -147,7 +149,7 @@ pub(super) fn write(
         if part.begins_with("smooth in") || part.begins_with("flat in") {
             let name = text.trim_end_matches(';').rsplit(' ').next().unwrap_or_default();
             let known = VARYINGS.iter().find(|(known, ..)| *known == name);
-            let (name, ty, value) = known.ok_or_else(|| format!("`{name}` of its vertices"))?;
+            let (name, ty, value) = known.ok_or_else(|| tr!("`{name}` of its vertices"))?;
             let _infallible = writeln!(varyings, "varying {ty} {name};");
             passed_on.push(format!("    {name} = {value};\n"));
         } else if part.begins_with("struct") {
@@ -161,7 +163,7 @@ pub(super) fn write(
         }
     }
     let taken = free_words(&format!("{structs}{constants}{functions}{}", main.map_or("", |it| it)));
-    let main = fragment_function(main.ok_or("no entry point")?, options, &taken)?;
+    let main = fragment_function(main.ok_or_else(|| tr!("no entry point"))?, options, &taken)?;
     let body = uniforms.rewrite(&format!("{functions}{main}"));
     if let Some(word) = identifiers(&body).iter().find(|word| word.starts_with("u_")) {
         return Err(format!("`{}`", &word[2..]));
@@ -418,7 +420,7 @@ fn fragment_function(
     options: &ShaderOptions<'_>,
     words: &BTreeSet<String>,
 ) -> Result<String, String> {
-    let (_, body) = main.split_once("{\n").ok_or("no entry point")?;
+    let (_, body) = main.split_once("{\n").ok_or_else(|| tr!("no entry point"))?;
     let body = body.strip_suffix('}').unwrap_or(body);
     let mut body = body.to_owned();
     // What a vertex passes on is read as it is, not by a struct.

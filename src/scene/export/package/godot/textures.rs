@@ -5,6 +5,8 @@
 //! exact, and one that every viewer shows. Blocks of BC7 are decoded there, because the importer
 //! would compress its own again.
 
+use chiaro_locale::tr;
+
 use super::super::{ExportFile, refusal};
 use crate::diag::Diagnostic;
 use crate::hcbtf::{BytePicture, ktx2};
@@ -47,13 +49,13 @@ fn layered(texture: &ExportFile) -> Result<(ExportFile, String), Diagnostic> {
     let [width, height] = layers.size;
     let pixels = [width, height, layers.count].into_iter().map(u64::from).product::<u64>();
     if pixels > MOST_PIXELS {
-        let message = format!(
-            "a painted surface of the look has {} million texels, and pictures of Godot have at \
-             most {} million",
-            pixels / 1_000_000,
-            MOST_PIXELS / 1_000_000
+        let message = tr!(
+            "a painted surface of the look has {count} million texels, and pictures of Godot have \
+             at most {most} million",
+            count = pixels / 1_000_000,
+            most = MOST_PIXELS / 1_000_000
         );
-        return Err(refusal(message, "export it with `--textures compact`"));
+        return Err(refusal(message, tr!("export it with `--textures compact`")));
     }
     let size = [width, height * layers.count];
     let picture = BytePicture { size, rgba: layers.rgba().into_owned() };

@@ -7,6 +7,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
+
 use super::super::super::description::{ExposedParameter, Member};
 use crate::wgsl::identifiers;
 
@@ -418,7 +420,7 @@ fn flatten(
     let mut array = place.array;
     if let Some(count) = array_count(&member.ty) {
         if array.is_some() {
-            return Err(format!("the arrays within arrays of `{}`", member.name));
+            return Err(tr!("the arrays within arrays of `{name}`", name = member.name));
         }
         array = Some((count, member.stride as usize / 4));
     }
@@ -434,7 +436,8 @@ fn flatten(
         list.push(Uniform {
             name: place.name.to_owned(),
             path: place.path.clone(),
-            ty: godot_type(&ty).ok_or_else(|| format!("the type `{ty}` of `{}`", member.name))?,
+            ty: godot_type(&ty)
+                .ok_or_else(|| tr!("the type `{ty}` of `{name}`", name = member.name))?,
             count: array.map(|it| it.0),
             word: place.word as usize,
             step: array.map_or(member.stride as usize / 4, |it| it.1),

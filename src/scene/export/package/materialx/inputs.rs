@@ -1,5 +1,7 @@
 //! Inputs of the look's node: the exposed parameters that change the picture.
 
+use chiaro_locale::tr;
+
 use super::super::{PackageRequest, refusal};
 use super::literal;
 use crate::diag::Diagnostic;
@@ -62,8 +64,8 @@ pub(super) fn inputs<'a>(
                 let Some(setting) = settings.next() else { continue };
                 if settings.next().is_some() {
                     return Err(refusal(
-                        format!("the parameter `{name}` is taken as two types"),
-                        "give each node that reads the parameter a parameter of its own",
+                        tr!("the parameter `{name}` is taken as two types"),
+                        tr!("give each node that reads the parameter a parameter of its own"),
                     ));
                 }
                 let Some(ty) = types(&setting.ty) else { continue };

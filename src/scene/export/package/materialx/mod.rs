@@ -14,7 +14,7 @@ mod literal;
 mod source;
 mod standard;
 
-use chiaro_locale::text;
+use chiaro_locale::{in_english, text, tr};
 
 use super::super::ExportFile;
 use super::{Package, PackageRequest, refusal};
@@ -46,7 +46,8 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let inputs = inputs::inputs(request).map_err(one)?;
     let parts = source::parts(request).map_err(one)?;
     let source = source::Source::of(request, &name, &inputs, &parts).map_err(one)?;
-    let standard = standard::graph(request, &name, &inputs, &parts);
+    // The README says why a look has no graph of standard nodes.
+    let standard = in_english(|| standard::graph(request, &name, &inputs, &parts));
     let graph = standard.as_ref().map_or("", |graph| graph.text.as_str());
     let document = document::write(request, &name, &inputs, &source, graph);
     Ok(vec![
@@ -58,12 +59,18 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 
 /// Refuses what a node of MaterialX cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
-    request.refuse_passes("MaterialX has no place for")?;
-    request.refuse_images("materialx", "export the look `--to web`, `three` or `blender`")?;
+    request.refuse_passes(|pass| {
+        tr!(
+            "the look draws passes before the picture (the first is `{pass}`), which MaterialX has \
+             no place for"
+        )
+    })?;
+    let help = tr!("export the look `--to web`, `three` or `blender`");
+    request.refuse_images("materialx", help)?;
     if request.work.is_keyed {
         return Err(refusal(
-            "the look has keys, which MaterialX has no place for",
-            "take the keys away and expose what they move, or export `--to web` or `three`",
+            tr!("the look has keys, which MaterialX has no place for"),
+            tr!("take the keys away and expose what they move, or export `--to web` or `three`"),
         ));
     }
     let is_carried =
@@ -71,12 +78,12 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
     let mut lights = request.work.lights.iter();
     if let Some(light) = lights.find(|light| !is_carried(light.light.space)) {
         return Err(refusal(
-            format!(
-                "the light `{}` goes with the camera or the object, which a node of MaterialX is \
-                 not told of",
-                light.id
+            tr!(
+                "the light `{light}` goes with the camera or the object, which a node of MaterialX \
+                 is not told of",
+                light = light.id
             ),
-            "give the light the space `world`, or export `--to web` or `three`",
+            tr!("give the light the space `world`, or export `--to web` or `three`"),
         ));
     }
     Ok(())

@@ -8,6 +8,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
 use naga::back::glsl::{Options, Version, WriterFlags};
 
 use super::super::{PackageRequest, refusal};
@@ -129,8 +130,8 @@ impl Source {
 }
 
 fn failed(problem: impl std::fmt::Display) -> Diagnostic {
-    Diagnostic::error("export-failed", format!("the look's GLSL: {problem}"))
-        .hint("please report the look; `--to glsl-330` may still carry it")
+    Diagnostic::error("export-failed", tr!("the look's GLSL: {problem}"))
+        .hint(tr!("please report the look; `--to glsl-330` may still carry it"))
 }
 
 /// The WGSL of the look and its host work in one.
@@ -140,7 +141,7 @@ fn failed(problem: impl std::fmt::Display) -> Diagnostic {
 pub(super) fn parts(request: &PackageRequest<'_>) -> Result<Parts, Diagnostic> {
     let module: Option<&ShaderModule> =
         request.modules.modules.iter().find(|module| module.is_draw());
-    let module = module.ok_or_else(|| failed("there is no picture"))?;
+    let module = module.ok_or_else(|| failed(tr!("there is no picture")))?;
     let source = module.wgsl();
     let mut text = String::new();
     let mut known: BTreeMap<String, String> = BTreeMap::new();
@@ -216,8 +217,8 @@ fn carried(varyings: &Declaration) -> Result<Vec<String>, Diagnostic> {
     match names.iter().find(|name| SURFACE.iter().all(|(known, _)| known != name)) {
         None => Ok(names),
         Some(name) => Err(refusal(
-            format!("the look asks its surface for `{name}`, which MaterialX does not know"),
-            "export the look `--to web` or `three`",
+            tr!("the look asks its surface for `{name}`, which MaterialX does not know"),
+            tr!("export the look `--to web` or `three`"),
         )),
     }
 }
@@ -241,16 +242,18 @@ fn refuse_unknown(function: &str) -> Result<(), Diagnostic> {
 
 fn refuse_axes() -> Diagnostic {
     refusal(
-        "the look asks for the axes of the camera or the object, which a node of MaterialX is not \
-         told of",
-        "export the look `--to web` or `three`",
+        tr!(
+            "the look asks for the axes of the camera or the object, which a node of MaterialX is \
+             not told of"
+        ),
+        tr!("export the look `--to web` or `three`"),
     )
 }
 
 fn refuse_pixels() -> Diagnostic {
     refusal(
-        "the look counts pixels of the picture, whose size MaterialX does not tell",
-        "lay the pattern over the surface instead, or export the look `--to web` or `three`",
+        tr!("the look counts pixels of the picture, whose size MaterialX does not tell"),
+        tr!("lay the pattern over the surface instead, or export the look `--to web` or `three`"),
     )
 }
 

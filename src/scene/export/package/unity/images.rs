@@ -6,6 +6,8 @@
 
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
+
 use super::parameters::{ComponentField, free_name, quoted};
 use super::source::SourceImage;
 use crate::diag::Diagnostic;
@@ -224,7 +226,8 @@ pub(super) fn from_below(text: &str) -> Result<String, Diagnostic> {
     let mut is_called = false;
     while let Some(at) = [".Sample(", ".SampleGrad("].iter().filter_map(|it| rest.find(it)).min() {
         let open = at + rest[at..].find('(').unwrap_or_default() + 1;
-        let lost = || Diagnostic::error("export-failed", "an image is read in an unknown form");
+        let lost =
+            || Diagnostic::error("export-failed", tr!("an image is read in an unknown form"));
         let first = argument(&rest[open..]).ok_or_else(lost)?;
         let start = open + first.len() + 1;
         let place = argument(&rest[start..]).ok_or_else(lost)?;

@@ -5,6 +5,8 @@
 
 use std::collections::HashSet;
 
+use chiaro_locale::tr;
+
 use super::source::Source;
 use crate::diag::Diagnostic;
 use crate::export::package::PackageRequest;
@@ -62,8 +64,8 @@ pub(in crate::export::package) fn leaves(
 }
 
 fn lost(place: &str) -> Diagnostic {
-    Diagnostic::error("export-failed", format!("`{place}` has an unknown form in HLSL"))
-        .hint("please report the look; `--to hlsl` may still carry it")
+    Diagnostic::error("export-failed", tr!("`{place}` has an unknown form in HLSL"))
+        .hint(tr!("please report the look; `--to hlsl` may still carry it"))
 }
 
 /// The leaves of a struct's members. `at` is the struct's place in HLSL and the beginning of its

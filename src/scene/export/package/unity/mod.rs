@@ -20,7 +20,7 @@ mod scratch;
 pub(super) mod shader;
 pub(super) mod source;
 
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 use serde_json::json;
 
 use super::super::ExportFile;
@@ -65,7 +65,11 @@ const UNITY: &str = "6000.0";
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
-    request.refuse_passes("the package unity does not").map_err(one)?;
+    let told = |pass: &str| {
+        tr!("the look draws passes before the picture (the first is `{pass}`), which the package \
+             unity does not")
+    };
+    request.refuse_passes(told).map_err(one)?;
     let mut source = source::Source::of(request, &source::UNITY).map_err(one)?;
     source.text = images::from_below(&source.text).map_err(one)?;
     let leaves = leaves::leaves(request, &source).map_err(one)?;

@@ -5,6 +5,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::export::description::Feed;
 use crate::export::header;
@@ -92,21 +94,21 @@ impl Source {
         request: &PackageRequest<'_>,
         names: &EngineNames<'_>,
     ) -> Result<Self, Diagnostic> {
-        let lost = |what: &str| {
-            Diagnostic::error("export-failed", format!("the look's HLSL has no {what}"))
-                .hint("please report the look; `--to hlsl` may still carry it")
+        let lost = |part: &str| {
+            Diagnostic::error("export-failed", tr!("the look's HLSL lacks `{part}`"))
+                .hint(tr!("please report the look; `--to hlsl` may still carry it"))
         };
         let module = request.modules.modules.iter().find(|module| module.is_draw());
-        let module = module.ok_or_else(|| lost("picture"))?;
-        let hlsl = crate::export::language("hlsl").ok_or_else(|| lost("language"))?;
+        let module = module.ok_or_else(|| lost("draw"))?;
+        let hlsl = crate::export::language("hlsl").ok_or_else(|| lost("hlsl"))?;
         let written = hlsl.write(module, request.title, request.stem)?;
-        let file = written.files.first().ok_or_else(|| lost("file"))?;
+        let file = written.files.first().ok_or_else(|| lost("draw"))?;
         let text = String::from_utf8_lossy(&file.bytes).into_owned();
         let body = text.split_once("\n\n").map_or(text.as_str(), |(_, body)| body);
         let (body, images) = with_images(body, request, names);
         let body = free_names(&body, names.taken);
-        let vertex = head(&body, "vs_main").ok_or_else(|| lost("function `vs_main`"))?;
-        let fragment = head(&body, "fs_main").ok_or_else(|| lost("function `fs_main`"))?;
+        let vertex = head(&body, "vs_main").ok_or_else(|| lost("vs_main"))?;
+        let fragment = head(&body, "fs_main").ok_or_else(|| lost("fs_main"))?;
         let named = |name: &str| structure(&body, name).ok_or_else(|| lost(name));
         let attributes = named(vertex.parameter)?;
         let varyings = (vertex.result.to_owned(), named(vertex.result)?);

@@ -7,6 +7,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
+
 use super::pieces::HlslDeclaration;
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
@@ -43,8 +45,8 @@ pub(super) fn images<'a>(
         let Some(described) = request.description.images.get(image.image) else { continue };
         let Some(file) = &described.file else {
             return Err(refusal(
-                format!("the image `{}` cannot be read", described.path),
-                "put the file where the look says, and export again",
+                tr!("the image `{image}` cannot be read", image = described.path),
+                tr!("put the file where the look says, and export again"),
             ));
         };
         let file = match file.strip_suffix(".ktx2") {
@@ -56,8 +58,8 @@ pub(super) fn images<'a>(
         };
         if found.iter().any(|it| it.file == file && ways(it.image) != ways(described)) {
             return Err(refusal(
-                format!("the image `{}` is sampled in two ways", described.path),
-                "give one of its nodes a copy of the file",
+                tr!("the image `{image}` is sampled in two ways", image = described.path),
+                tr!("give one of its nodes a copy of the file"),
             ));
         }
         found.push(UnrealImage {

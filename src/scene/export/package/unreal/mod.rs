@@ -16,7 +16,7 @@ mod images;
 mod pieces;
 mod shader;
 
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 
 use super::super::ExportFile;
 use super::materials::class_name;
@@ -43,7 +43,7 @@ const README: &str = include_str!("README.md");
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     refuse(request).map_err(|problem| vec![problem])?;
-    request.refuse_blocks("Unreal's importer")?;
+    request.refuse_blocks(tr!("Unreal's importer"))?;
     let one = |problem: Diagnostic| vec![problem];
     let (stem, class) = (request.stem, class_name(request.stem));
     let arguments = arguments::arguments(request, &class);
@@ -61,11 +61,17 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 
 /// Refuses what the package cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
-    request.refuse_passes("the package unreal does not")?;
+    request.refuse_passes(|pass| {
+        tr!("the look draws passes before the picture (the first is `{pass}`), which the package \
+             unreal does not")
+    })?;
     if !request.work.near.is_empty() {
         return Err(refusal(
-            "keys of the look follow the distance of other objects, which a material does not know",
-            "drive the keys otherwise, or export `--to unity` or `web`",
+            tr!(
+                "keys of the look follow the distance of other objects, which a material does not \
+                 know"
+            ),
+            tr!("drive the keys otherwise, or export `--to unity` or `web`"),
         ));
     }
     Ok(())

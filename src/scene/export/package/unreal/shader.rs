@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use chiaro_locale::{text, tr};
+
 use super::arguments::{Argument, ArgumentKind};
 use super::host::{self, FUNCTION, HostText};
 use super::images::{self, UnrealImage};
@@ -223,33 +225,39 @@ fn without_member(text: &str, member: &str) -> String {
 /// Refuses what a Custom node does not know of a pixel.
 fn refuse(look: &[HlslDeclaration]) -> Result<(), Diagnostic> {
     let refusal = |what: &str| {
-        let message = format!("the look reads {what}, which the package unreal does not carry yet");
-        refusal(message, "export the look `--to hlsl` for a material of your own, or `--to web`")
+        let message = tr!("the look reads {what}, which the package unreal does not carry yet");
+        let help = tr!("export the look `--to hlsl` for a material of your own, or `--to web`");
+        refusal(message, help)
     };
     // Comments speak of objects, too.
     let lines = look.iter().flat_map(|it| it.text.lines());
     let code: Vec<&str> = lines.filter(|line| !line.trim_start().starts_with("//")).collect();
     let reads = |part: &str| code.iter().any(|line| line.contains(part));
     if reads("object.world_from_") {
-        return Err(refusal("the object's own axes"));
+        return Err(refusal(tr!("the object's own axes")));
     }
     if reads("object.id") {
-        return Err(refusal("a number of each object"));
+        return Err(refusal(tr!("a number of each object")));
     }
     Ok(())
 }
 
 /// Refuses surroundings that a Custom node does not know.
 fn refuse_surroundings(host: &HostText) -> Result<(), Diagnostic> {
-    for (member, what) in [
-        ("object_axes", "have lights or keys that turn with the object"),
-        ("object_id", "tell objects apart"),
-        ("frame", "count frames"),
+    for (member, message) in [
+        (
+            "object_axes",
+            text!(
+                "the package unreal carries no looks yet that have lights or keys that turn with \
+                 the object"
+            ),
+        ),
+        ("object_id", text!("the package unreal carries no looks yet that tell objects apart")),
+        ("frame", text!("the package unreal carries no looks yet that count frames")),
     ] {
         if host.reads.contains(member) {
-            let message = format!("the package unreal carries no looks that {what} yet");
-            let help = "use another frame or driver, or export `--to unity`, `godot` or `web`";
-            return Err(refusal(message, help));
+            let help = tr!("use another frame or driver, or export `--to unity`, `godot` or `web`");
+            return Err(refusal(message.tr(), help));
         }
     }
     Ok(())

@@ -10,7 +10,7 @@ mod scene;
 mod shader;
 mod tables;
 
-use chiaro_locale::text;
+use chiaro_locale::{text, tr};
 
 use super::super::ExportFile;
 use super::rust::{
@@ -94,8 +94,8 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     }
     for module in &request.description.modules {
         let text = shader::write(request, module.name).ok_or_else(|| {
-            let message = "the look's shader has a form that the crate does not know";
-            one(refusal(message, "export it `--to wgsl`"))
+            let message = tr!("the look's shader has a form that the crate does not know");
+            one(refusal(message, tr!("export it `--to wgsl`")))
         })?;
         files.push(ExportFile::text(format!("src/shaders/{}.wgsl", module.name), text));
     }
@@ -110,14 +110,20 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     for image in &request.description.images {
         let Some(file) = &image.file else {
             return refused(
-                format!("the image `{}` cannot be read, and a crate is built with it", image.path),
-                "put the file where the look says, and export again",
+                tr!(
+                    "the image `{image}` cannot be read, and a crate is built with it",
+                    image = image.path
+                ),
+                tr!("put the file where the look says, and export again"),
             );
         };
         if tables::image_feature(file).is_none() && !file.ends_with(".ktx2") {
             return refused(
-                format!("the crate reads PNG and JPEG files, and `{}` is neither", image.path),
-                "save the image as PNG, with 8 bits a channel",
+                tr!(
+                    "the crate reads PNG and JPEG files, and `{image}` is neither",
+                    image = image.path
+                ),
+                tr!("save the image as PNG, with 8 bits a channel"),
             );
         }
     }

@@ -97,9 +97,14 @@ impl OslShader {
     /// The shader of a look.
     ///
     /// # Errors
-    /// `not-in-package`: what a shader of OSL cannot do, with the reason.
+    /// `not-in-package`: what a shader of OSL cannot do, with the reason, for the README.
     pub(super) fn of(request: &PackageRequest<'_>) -> Result<Self, Diagnostic> {
-        request.refuse_passes("a shader of OSL has no place for")?;
+        request.refuse_passes(|pass| {
+            format!(
+                "the look draws passes before the picture (the first is `{pass}`), which a shader \
+                 of OSL has no place for"
+            )
+        })?;
         let module = request.modules.modules.iter().find(|module| module.is_draw());
         let module = module.ok_or_else(|| refusal("the look has no picture", "add an output"))?;
         let images = ShaderImage::all(request, module)?;
