@@ -164,8 +164,7 @@ impl NodeSample {
             if let Some(Json::String(caster)) = own.remove("caster") {
                 showing.caster = Some(caster);
             }
-            showing.lamp =
-                own.remove("lamp").and_then(|place| serde_json::from_value(place).ok());
+            showing.lamp = own.remove("lamp").and_then(|place| serde_json::from_value(place).ok());
             showing.times = own.remove("times").and_then(|times| times.as_f64());
             // Values are read as a document's: its reader tells numbers, colors, curves and ramps
             // apart.
@@ -426,10 +425,7 @@ mod tests {
                 .and_then(Json::as_object)
                 .into_iter()
                 .flat_map(|feed| feed.keys());
-            for port in values
-                .keys()
-                .filter(|name| !OWN_FIELDS.contains(&name.as_str()))
-                .chain(fed)
+            for port in values.keys().filter(|name| !OWN_FIELDS.contains(&name.as_str())).chain(fed)
             {
                 assert!(known.input(port).is_some(), "{kind} has no input `{port}`");
             }

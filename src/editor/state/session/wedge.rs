@@ -291,7 +291,8 @@ mod tests {
     fn a_word_is_held_in_one_use_of_a_group_of_the_look_or_of_the_library() {
         let mut of_library = session(false);
         let text = r#"{"chiaro": "look", "nodes": [{"id": "bands", "kind": "band_layer"},
-            {"id": "output", "kind": "output"}], "wires": [{"from": "bands", "to": "output.color"}]}"#;
+            {"id": "output", "kind": "output"}],
+            "wires": [{"from": "bands", "to": "output.color"}]}"#;
         of_library.start_from(text, "bands");
         let words = [
             (session(true), "first/lit.blend", "multiply"),

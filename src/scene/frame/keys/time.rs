@@ -77,7 +77,8 @@ mod tests {
               {"from": "layer", "to": "outputs.stack"}]}}}"#;
         library.add_groups("nodes/layer/glow.json", group);
         assert!(library.problems.is_empty(), "{:?}", library.problems);
-        let text = r#"{"nodes": [{"id": "base", "kind": "base", "values": {"color": [0.5, 0.6, 0.7]}},
+        let text = r#"{"nodes": [
+            {"id": "base", "kind": "base", "values": {"color": [0.5, 0.6, 0.7]}},
             {"id": "one", "kind": "glow"}, {"id": "two", "kind": "glow"},
             {"id": "output", "kind": "output"}],
           "wires": [{"from": "base", "to": "one.below"}, {"from": "one", "to": "two.below"},
