@@ -191,13 +191,7 @@ fn output_names(node: &Node, look: &Look, library: &Library) -> Vec<String> {
     if let Some(def) = library.nodes.get(&node.kind) {
         return ports(&def.outputs);
     }
-    let own = look
-        .definitions
-        .iter()
-        .find(|(id, _)| id.as_str() == node.kind)
-        .map(|(_, definition)| definition);
-    let group = own.or_else(|| library.groups.get(&node.kind).map(|group| &group.definition));
-    if let Some(definition) = group {
+    if let Some(definition) = library.group_of(look, &node.kind) {
         return ports(&GroupPorts::of(definition, &look.definitions, library).outputs);
     }
     match node.values.get(CUSTOM_CODE) {

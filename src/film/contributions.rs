@@ -171,7 +171,7 @@ pub fn contributions(
         else {
             continue;
         };
-        let look = setup.worn(index, object, time);
+        let look = setup.worn(index, object, library, time);
         let StackParts { parts, after, bent } = check(&look, library, None)?.value.stack_parts();
         is_whole &= after.is_empty();
         warnings.extend(after.first().map(|node| cannot_be_parted(&look, node)));

@@ -394,7 +394,8 @@ pub fn shadow_outputs(
     for look in 0..setup.looks.len() {
         let wearer = setup.objects.iter().find(|object| object.looks.contains(&Some(look)));
         let Some(wearer) = wearer else { continue };
-        let shadows = check(&setup.worn(look, wearer, time), library, None)?.value.shadow_outputs();
+        let shadows = check(&setup.worn(look, wearer, library, time), library, None)?;
+        let shadows = shadows.value.shadow_outputs();
         // Shadows of one light that are computed in other ways, such as of another size, get
         // numbers.
         let mut taken = HashSet::new();

@@ -188,7 +188,7 @@ impl ExplainReport {
             }
             // Time is in the plan already: the choices at that time were compiled, so nothing here
             // depends on it.
-            let shown = structural_look(&setup.looks[index].look, 0.0, values);
+            let shown = structural_look(&setup.looks[index].look, library, 0.0, values);
             let typed = check(&shown, library, None)?.value;
             let keys = keys(&shown, draw);
             let tiers = tier_costs(&shown, library)?;

@@ -217,7 +217,7 @@ fn listed_wires(stage: &Stage) -> Result<Vec<ListedLayer>, Vec<Diagnostic>> {
         let objects = &stage.setup.objects;
         let wearer = objects.iter().find(|object| object.looks.contains(&Some(index)));
         let Some(wearer) = wearer else { continue };
-        let look = stage.setup.worn(index, wearer, stage.options.time);
+        let look = stage.setup.worn(index, wearer, &stage.library, stage.options.time);
         listed.extend(wire_outputs(&look, &stage.library)?.into_iter().map(|found| {
             let (path, port, ty) =
                 (found.path.to_string(), found.port.to_string(), found.ty.to_string());

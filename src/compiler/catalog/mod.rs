@@ -227,10 +227,7 @@ impl Catalog {
 
     /// Replaces the groups and custom nodes in the catalog by those of a look.
     pub fn sync(&mut self, look: &Look, library: &Library) {
-        let find = |kind: &str| {
-            let own = look.definitions.get(kind);
-            own.or_else(|| library.groups.get(kind).map(|group| &group.definition))
-        };
+        let find = |kind: &str| library.group_of(look, kind);
         let group = |(id, definition): (&crate::ids::DefinitionId, _)| {
             (id.to_string(), Arc::new(group_kind(id.as_str(), definition, library, &find, 0)))
         };

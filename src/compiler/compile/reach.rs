@@ -126,9 +126,7 @@ fn lights_about(look: &Look, library: &Library, node: &Node) -> BTreeSet<LightId
         return set.of(&look.lights, &BTreeSet::new());
     }
     let kind = node.kind.as_str();
-    let group = look.definitions.get(kind);
-    let group = group.or_else(|| library.groups.get(kind).map(|group| &group.definition));
-    let inputs = match (group, library.nodes.get(kind)) {
+    let inputs = match (library.group_of(look, kind), library.nodes.get(kind)) {
         (Some(definition), _) => GroupPorts::of(definition, &look.definitions, library).inputs,
         (None, Some(def)) => def.inputs.clone(),
         (None, None) => return BTreeSet::new(),

@@ -30,8 +30,7 @@ pub fn node_title(look: &Look, library: &Library, path: &NodePath) -> String {
     for id in path.ids() {
         let Some(node) = graph.and_then(|graph| graph.nodes.get(id)) else { break };
         let kind = node.kind.as_str();
-        let of_library = || library.groups.get(kind).map(|group| &group.definition);
-        let group = look.definitions.get(kind).or_else(of_library);
+        let group = library.group_of(look, kind);
         let label = match (group, library.nodes.get(kind)) {
             (Some(group), _) if !group.label.is_empty() => group.label.as_str(),
             (None, Some(def)) => def.label.as_str(),

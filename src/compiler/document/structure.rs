@@ -44,6 +44,14 @@ impl Look {
         }
     }
 
+    /// Graph with an id, for changes; `None` where there is none.
+    pub fn graph_of_mut(&mut self, graph: &GraphId) -> Option<&mut Graph> {
+        match graph {
+            GraphId::Look => Some(&mut self.graph),
+            GraphId::Definition(id) => self.definitions.get_mut(id).map(|group| &mut group.graph),
+        }
+    }
+
     /// Node that a path leads to through the groups of this document. `None` where a step does not
     /// exist, and inside groups that come from the library.
     pub fn find(&self, path: &NodePath) -> Option<InnerNode<'_>> {

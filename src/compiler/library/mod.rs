@@ -21,6 +21,7 @@ pub mod docs;
 mod embedded;
 mod group;
 mod load;
+mod lookup;
 mod module;
 mod node;
 mod passes;

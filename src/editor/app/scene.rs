@@ -280,11 +280,8 @@ impl App {
     pub(super) fn mesh_of_object(&mut self, mesh: &str) {
         let Some(open_scene) = self.session.open_scene() else { return };
         let objects = &open_scene.scene().objects;
-        let worn =
-            || objects.iter().find(|(_, object)| open_scene.wears_open(object)).map(|(id, _)| id);
         let under = self.bench.viewport.hovered().filter(|id| objects.contains_key(*id));
-        let Some(id) = under.or(open_scene.selected().map(|(id, _)| id)).or_else(worn).cloned()
-        else {
+        let Some(id) = under.or_else(|| open_scene.selected_or_worn()).cloned() else {
             self.message = Some(
                 tr!("Select the object that is to have this mesh, or hold Shift to add one")
                     .to_owned(),

@@ -9,7 +9,6 @@ use crate::ids::NodePath;
 use crate::library::Type;
 use crate::reference::WireValue;
 use crate::state::session::Session;
-use crate::state::wire::node_at;
 use crate::values::number_text;
 
 /// Values of nodes at the pixel that is probed, by path.
@@ -59,7 +58,7 @@ enum ValueMeaning {
 impl ValueMeaning {
     /// Meaning of a node's value, where its one output tells it.
     fn of(session: &Session, wire: &WireValue) -> Self {
-        let node = node_at(session.look(), &session.project.library, wire.node.ids());
+        let node = session.look_with_library().node_at(&wire.node);
         let kind = node.and_then(|node| session.project.catalog.of(node));
         let output = kind.and_then(|kind| match kind.outputs.as_slice() {
             [output] => Some(&output.ty),

@@ -1,5 +1,5 @@
 //! Sheet of variations: small pictures of a value from one to another, of colors and directions
-//! around the present one, of all choices, or of all shapes. A click takes one.
+//! around the present one, of all choices, or of meshes. A click takes one.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
@@ -12,11 +12,10 @@ use eframe::egui::{
 
 use super::library::cards::columns;
 use super::thumbs::{Shot, Thumbs, key_of};
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, MESHES, PanelId, SceneCommand};
 use crate::document::{LightField, Target};
 use crate::fields::lighting::{Change, OwnedKeys, Owner};
 use crate::fields::wedge::selected_values;
-use crate::frame::SHAPE_PREFIX;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::crashes::DocumentOrigin;
 use crate::state::session::Session;
@@ -66,14 +65,7 @@ pub(crate) struct Variations {
 impl Variations {
     /// Shows variations of a subject from now on.
     pub(crate) fn begin(&mut self, subject: VariedSubject, session: &Session) {
-        let (look, now) = match &subject {
-            VariedSubject::Value(owner, target) => match OwnedKeys::of(session, *owner) {
-                Some(owned) => (owned.keys.base, owned.keys.value_at(target)),
-                None => return,
-            },
-            VariedSubject::Mesh => (session.look_with_library(), None),
-        };
-        self.sheet = VariationSheet::of(subject, look, now);
+        self.sheet = sheet_of(subject, session);
         (self.of, self.taken) = (None, None);
         self.cells.clear();
     }
@@ -132,6 +124,7 @@ impl Variations {
     fn choice(&mut self, ui: &mut Ui, session: &Session) {
         let title = |subject: &VariedSubject| match subject {
             VariedSubject::Mesh => tr!("Mesh").to_owned(),
+            VariedSubject::ObjectMesh(id) => format!("{id}: {}", tr!("Mesh")),
             VariedSubject::Value(owner, target) => {
                 let owned = OwnedKeys::of(session, *owner);
                 owned.map(|owned| owned.keys.base.title_of_target(target)).unwrap_or_default()
@@ -253,13 +246,38 @@ fn subjects(session: &Session) -> Vec<VariedSubject> {
     };
     let values = selected.chain(of_lights).filter(can_vary);
     let values = values.map(|(owner, target)| VariedSubject::Value(owner, target));
-    let mesh = session.open_scene().is_none().then_some(VariedSubject::Mesh);
+    let mesh = match session.open_scene() {
+        None => Some(VariedSubject::Mesh),
+        Some(open_scene) => open_scene.selected_or_worn().cloned().map(VariedSubject::ObjectMesh),
+    };
     values.chain(mesh).collect()
+}
+
+/// Sheet around the present state of a subject; in a scene, a mesh is that of the object in
+/// question. `None` where the subject is not there, or cannot be varied.
+fn sheet_of(subject: VariedSubject, session: &Session) -> Option<VariationSheet> {
+    let id = match (subject, session.open_scene()) {
+        (VariedSubject::Value(owner, target), _) => {
+            let keys = OwnedKeys::of(session, owner)?.keys;
+            let now = keys.value_at(&target);
+            return VariationSheet::of_value((owner, target), keys.base, now);
+        }
+        (VariedSubject::Mesh, None) => return Some(VariationSheet::of_shapes()),
+        (VariedSubject::Mesh, Some(open_scene)) => open_scene.selected_or_worn()?.clone(),
+        (VariedSubject::ObjectMesh(id), _) => id,
+    };
+    VariationSheet::of_object(session.open_scene()?, id, &**session.assets.source(), &MESHES)
 }
 
 /// True if the open documents have a subject.
 fn is_there(session: &Session, subject: &VariedSubject) -> bool {
-    let VariedSubject::Value(owner, target) = subject else { return true };
+    let has_object =
+        |id| session.open_scene().is_some_and(|of| of.scene().objects.contains_key(id));
+    let (owner, target) = match subject {
+        VariedSubject::Value(owner, target) => (owner, target),
+        VariedSubject::Mesh => return session.open_scene().is_none(),
+        VariedSubject::ObjectMesh(id) => return has_object(id),
+    };
     let Some(owned) = OwnedKeys::of(session, *owner) else { return false };
     match target {
         Target::Light { light, .. } => owned.look().lights.contains_key(light),
@@ -326,10 +344,11 @@ fn take(session: &Session, sheet: &VariationSheet, variation: &Variation) -> Opt
             let owned = OwnedKeys::of(session, *owner)?;
             owned.once(owned.keys.set_at(target, value.clone()))
         }
-        (VariedSubject::Mesh, Variation::Shape(name)) => {
-            Some(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{name}").into())))
+        (VariedSubject::Mesh, Variation::Mesh(name)) => Some(Command::ShowOn(Some(name.into()))),
+        (_, variation) => {
+            let edit = sheet.edit_of(session.open_scene()?, variation)?;
+            Some(Command::Scene(SceneCommand::Edit(edit)))
         }
-        _ => None,
     }
 }
 
@@ -337,7 +356,7 @@ fn take(session: &Session, sheet: &VariationSheet, variation: &Variation) -> Opt
 /// as it is.
 fn drawn(session: &Session, sheet: &VariationSheet, variation: &Variation) -> RenderSnapshot {
     let mut look = session.look().clone();
-    let mut of_scene = None;
+    let mut of_scene = session.open_scene().and_then(|of| sheet.edit_of(of, variation));
     if let (VariedSubject::Value(owner, target), Variation::Value(value)) =
         (&sheet.subject, variation)
         && let Some(owned) = OwnedKeys::of(session, *owner)
@@ -352,9 +371,8 @@ fn drawn(session: &Session, sheet: &VariationSheet, variation: &Variation) -> Re
     if let (Some(edit), Some(scene)) = (of_scene, &mut snapshot.scene) {
         drop(Arc::make_mut(scene).scene.apply(edit));
     }
-    if let Variation::Shape(name) = variation {
-        let orbit = &mut snapshot.orbit;
-        (orbit.mesh, orbit.z_is_up) = (format!("{SHAPE_PREFIX}{name}"), false);
+    if let (VariedSubject::Mesh, Variation::Mesh(name)) = (&sheet.subject, variation) {
+        (snapshot.orbit.mesh, snapshot.orbit.z_is_up) = (name.clone(), false);
     }
     snapshot
 }

@@ -39,18 +39,12 @@ pub(crate) struct Parameter {
 impl<'a> LookWithLibrary<'a> {
     /// The group of a kind, the look's own before the library's.
     pub(crate) fn definition_of(self, kind: &str) -> Option<&'a Definition> {
-        let own = self.look.definitions.get(kind);
-        own.or_else(|| self.library.groups.get(kind).map(|group| &group.definition))
+        self.library.group_of(self.look, kind)
     }
 
     /// The node at a path, through the groups of the look and of the library.
     pub(crate) fn node_at(self, path: &NodePath) -> Option<&'a Node> {
-        let (last, groups) = path.ids().split_last()?;
-        let mut graph = &self.look.graph;
-        for group in groups {
-            graph = &self.definition_of(&graph.nodes.get(group)?.kind)?.graph;
-        }
-        graph.nodes.get(last)
+        self.library.node_of(self.look, path.ids()).map(|(_, node)| node)
     }
 
     /// Port of a target: its label, type, unit, range.

@@ -7,7 +7,7 @@
 use chiaro_locale::tr;
 
 use crate::catalog::Catalog;
-use crate::document::{Definition, Endpoint, InterfacePort, Look, Node, Value, Wire};
+use crate::document::{Endpoint, InterfacePort, Look, Node, Value, Wire};
 use crate::ids::{GROUP_OUTPUTS, NodeId, NodePath, PortName};
 use crate::library::{Library, Type};
 
@@ -87,27 +87,9 @@ impl ShownWire {
 
     /// Type of the shown output.
     pub(crate) fn ty(&self, look: &Look, library: &Library, catalog: &Catalog) -> Option<Type> {
-        let kind = catalog.of(node_at(look, library, self.node.ids())?)?;
+        let kind = catalog.of(library.node_of(look, self.node.ids())?.1)?;
         Some(kind.outputs[kind.output(self.port.as_str())?].ty.clone())
     }
-}
-
-/// The definition of a group.
-fn group<'a>(look: &'a Look, library: &'a Library, kind: &str) -> Option<&'a Definition> {
-    let of_library = || library.groups.get(kind).map(|group| &group.definition);
-    look.definitions.get(kind).or_else(of_library)
-}
-
-/// The node at the end of a path through groups.
-pub(crate) fn node_at<'a>(
-    look: &'a Look,
-    library: &'a Library,
-    path: &[NodeId],
-) -> Option<&'a Node> {
-    let (first, inner) = path.split_first()?;
-    inner.iter().try_fold(look.graph.nodes.get(first)?, |node, id| {
-        group(look, library, &node.kind)?.graph.nodes.get(id)
-    })
 }
 
 /// The node whose value an output gives: that of the path, or of a group the node within, through
@@ -121,10 +103,9 @@ pub(crate) fn source_within(
     let (mut path, mut port) = (path, port.clone());
     // A group that holds itself is an error, which the compiler tells.
     for _ in 0..MOST_DEPTH {
-        let definition =
-            node_at(look, library, path.ids()).and_then(|node| group(look, library, &node.kind));
-        let wire = definition
-            .and_then(|definition| definition.graph.wire_into(&GROUP_OUTPUTS.into(), &port));
+        let found = library.node_of(look, path.ids());
+        let group = found.and_then(|(_, node)| library.group_of(look, &node.kind));
+        let wire = group.and_then(|group| group.graph.wire_into(&GROUP_OUTPUTS.into(), &port));
         let Some(wire) = wire else { break };
         (path, port) = (path.join(wire.from.node.clone()), wire.from.port.clone());
     }
@@ -142,8 +123,8 @@ fn led_out(
     let mut from = Endpoint::new(path.last()?.clone(), port.clone());
     let mut inner_kind: Option<String> = None;
     for depth in (1..path.len()).rev() {
-        let holder = node_at(look, library, &path[..depth])?;
-        let mut definition = group(look, library, &holder.kind)?.clone();
+        let (_, holder) = library.node_of(look, &path[..depth])?;
+        let mut definition = library.group_of(look, &holder.kind)?.clone();
         if let Some(kind) = inner_kind.take() {
             definition.graph.nodes.get_mut(&path[depth])?.kind = kind;
         }

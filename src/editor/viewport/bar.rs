@@ -18,7 +18,7 @@ use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
-use crate::state::wire::{Style, node_at};
+use crate::state::wire::Style;
 use crate::tools::probe::wire_name;
 use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
@@ -351,7 +351,7 @@ fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
 /// Says that a wire is viewed in place of the picture, with a button that leads back.
 fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let wire = session.view.wire.as_ref()?;
-    let node = node_at(session.look(), &session.project.library, wire.node.ids())?;
+    let node = session.look_with_library().node_at(&wire.node)?;
     let kind = session.project.catalog.of(node);
     let name = wire_name(session, &wire.node);
     let port = kind

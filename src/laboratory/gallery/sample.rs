@@ -19,11 +19,14 @@ use crate::progress::Progress;
 
 /// Table of samples that show more of a node than its defaults, by kind: values as in a look's
 /// JSON, the source that `feed`s each input, the factor of the output (`times`), the own shape to
-/// show the node on (`mesh`), the own shape that hangs before the light unseen (`caster`); or
-/// `null` if nothing of the node can be seen.
+/// show the node on (`mesh`), the own shape that hangs before the light unseen (`caster`),
+/// the place from which the lamp shines on the sphere (`lamp`); or `null` if nothing of the node
+/// can be seen.
 const VALUES: &str = crate::NODE_SAMPLES;
 /// Direction toward the light of samples.
 const KEY: [f64; 3] = [-0.5, 0.6, 0.62];
+/// Place from which the lamp of samples shines on the sphere, for which the table names no other.
+const LAMP: [f64; 3] = [-1.5, 1.5, 2.4];
 /// Own shape of the samples for which the table names no other.
 const MESH: &str = "sphere";
 /// Id of the node itself in the sample's look.
@@ -43,6 +46,7 @@ struct NodeSample {
     times: Option<f64>,
     mesh: String,
     caster: Option<String>,
+    lamp: Option<[f64; 3]>,
 }
 
 /// A look that shows the first output of a node of `kind`; `None` if nothing of it can be seen.
@@ -55,10 +59,11 @@ fn look_of(kind: &NodeKind, catalog: &Catalog, showing: NodeSample) -> Option<Lo
     for (id, direction) in lights {
         build.look.lights.insert(id.into(), Light { direction, ..Light::default() });
     }
+    let position = showing.lamp.unwrap_or(LAMP);
     let lamp = Light {
         kind: LightKind::Spot,
-        position: [-1.5, 1.5, 2.4],
-        aim: [1.5, -1.5, -2.4],
+        position,
+        aim: position.map(|x| -x),
         space: LightSpace::World,
         ..Light::default()
     };
@@ -159,6 +164,7 @@ impl NodeSample {
             if let Some(Json::String(caster)) = own.remove("caster") {
                 showing.caster = Some(caster);
             }
+            showing.lamp = own.remove("lamp").and_then(|place| serde_json::from_value(place).ok());
             showing.times = own.remove("times").and_then(|times| times.as_f64());
             // Values are read as a document's: its reader tells numbers, colors, curves and ramps
             // apart.
@@ -404,6 +410,9 @@ pub(super) fn write_assets(folder: &Path) -> Result<(), Diagnostic> {
 mod tests {
     use super::*;
 
+    /// Fields of the table that are no inputs.
+    const OWN_FIELDS: [&str; 5] = ["feed", "times", "mesh", "caster", "lamp"];
+
     #[test]
     fn samples_are_of_ports_that_there_are() {
         let catalog = Catalog::new(Library::built_in());
@@ -416,10 +425,7 @@ mod tests {
                 .and_then(Json::as_object)
                 .into_iter()
                 .flat_map(|feed| feed.keys());
-            for port in values
-                .keys()
-                .filter(|name| !matches!(name.as_str(), "feed" | "times" | "mesh" | "caster"))
-                .chain(fed)
+            for port in values.keys().filter(|name| !OWN_FIELDS.contains(&name.as_str())).chain(fed)
             {
                 assert!(known.input(port).is_some(), "{kind} has no input `{port}`");
             }

@@ -9,7 +9,7 @@ use self::arrival::Arrival;
 use super::probe::WireValue;
 use super::surface::ProbedSurface;
 use crate::diag::Diagnostic;
-use crate::document::{LightKind, LightRelation, LightValues, Look, Node};
+use crate::document::{LightKind, LightRelation, LightValues, Look};
 use crate::frame::{FramePlan, LightReach, Setup};
 use crate::ids::{LightId, NodePath};
 use crate::library::Library;
@@ -70,7 +70,7 @@ pub fn light_accounts(
     };
     let Some(index) = object.look_of(draw) else { return Ok(Vec::new()) };
     let Some(look) = setup.looks.get(index) else { return Ok(Vec::new()) };
-    let lights = setup.object_lights(plan, draw, time)?;
+    let lights = setup.object_lights((plan, draw), library, time)?;
     let reach = setup.light_reach_of(object);
     let mut kept_away = setup.layer_reach_of((object, index), &reach, library, time);
     kept_away
@@ -149,16 +149,6 @@ fn readings(
 
 /// The label of a node's output.
 fn label_of(look: &Look, library: &Library, path: &NodePath) -> Option<String> {
-    let def = library.nodes.get(node_at(look, library, path)?.kind.as_str())?;
+    let def = library.nodes.get(&library.node_of(look, path.ids())?.1.kind)?;
     Some(def.outputs.first()?.label.clone())
-}
-
-/// The node at the end of a path through groups.
-fn node_at<'a>(look: &'a Look, library: &'a Library, path: &NodePath) -> Option<&'a Node> {
-    let (first, inner) = path.ids().split_first()?;
-    inner.iter().try_fold(look.graph.nodes.get(first)?, |node, id| {
-        let kind = node.kind.as_str();
-        let of_library = || library.groups.get(kind).map(|group| &group.definition);
-        look.definitions.get(kind).or_else(of_library)?.graph.nodes.get(id)
-    })
 }

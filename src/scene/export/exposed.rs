@@ -202,8 +202,7 @@ fn interface_port<'a>(
     let mut definition: Option<&Definition> = None;
     for id in path.ids() {
         let kind = &graph.nodes.get(id)?.kind;
-        let own = look.definitions.get(kind.as_str());
-        let found = own.or_else(|| library.groups.get(kind).map(|group| &group.definition))?;
+        let found = library.group_of(look, kind)?;
         graph = &found.graph;
         definition = Some(found);
     }

@@ -127,13 +127,8 @@ fn values(look: &Look, library: &Library, typed: &TypedGraph) -> Vec<ExposedValu
 
 /// Position of a value's input among those of its node, as the window lists them.
 fn port_position(look: &Look, library: &Library, param: &Param) -> Option<usize> {
-    let (last, groups) = param.path.ids().split_last()?;
-    let graph = groups.iter().try_fold(&look.graph, |graph, id| {
-        Some(&look.definitions.get(graph.nodes.get(id)?.kind.as_str())?.graph)
-    });
-    let kind = graph?.nodes.get(last)?.kind.as_str();
-    let of_library = || library.groups.get(kind).map(|group| &group.definition);
-    match look.definitions.get(kind).or_else(of_library) {
+    let kind = look.find(&param.path)?.node.kind.as_str();
+    match library.group_of(look, kind) {
         Some(group) => group.inputs.iter().position(|input| input.name == param.port),
         None => library.nodes.get(kind)?.input(param.port.as_str()),
     }
@@ -141,11 +136,7 @@ fn port_position(look: &Look, library: &Library, param: &Param) -> Option<usize>
 
 /// True for a node that no group of the library holds.
 fn is_of_artist(look: &Look, path: &NodePath) -> bool {
-    let Some((last, groups)) = path.ids().split_last() else { return false };
-    let inner = groups.iter().try_fold(&look.graph, |graph, id| {
-        Some(&look.definitions.get(graph.nodes.get(id)?.kind.as_str())?.graph)
-    });
-    inner.is_some_and(|graph| graph.nodes.contains_key(last))
+    look.find(path).is_some()
 }
 
 /// Values that any module reads from its uniform.

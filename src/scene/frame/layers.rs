@@ -12,11 +12,18 @@ use super::setup::{Setup, SetupObject};
 use crate::diag::Diagnostic;
 use crate::document::{LayerLink, Light, Look, Scene};
 use crate::ids::{LightId, NodeId};
+use crate::library::Library;
 
 impl Setup {
     /// The look of that number as an object wears it at a time, in seconds.
-    pub fn worn(&self, look: usize, object: &SetupObject, time: f64) -> Cow<'_, Look> {
-        let worn = structural_look(&self.looks[look].look, time, &object.values);
+    pub fn worn(
+        &self,
+        look: usize,
+        object: &SetupObject,
+        library: &Library,
+        time: f64,
+    ) -> Cow<'_, Look> {
+        let worn = structural_look(&self.looks[look].look, library, time, &object.values);
         with_lights_of(&self.scene, with_layers(worn, &object.layers))
     }
 

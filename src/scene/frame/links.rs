@@ -82,7 +82,7 @@ impl Setup {
         let dark = lights.iter().filter(|cell| !cell.reaches);
         let dark: HashMap<&LightId, &str> =
             dark.map(|cell| (&cell.light, cell.words.as_str())).collect();
-        let worn = self.worn(look, object, time);
+        let worn = self.worn(look, object, library, time);
         let of_node = |mut reach: NodeReach| {
             if let Some(words) = dark.get(&reach.light) {
                 if reach.relation == LightRelation::Filtered {

@@ -14,6 +14,7 @@ use super::setup::{Setup, SetupObject};
 use crate::diag::Diagnostic;
 use crate::document::{AimPlaces, LightFrames, LightValues, ObjectFrame, Target, Value};
 use crate::ids::{LightId, ObjectId};
+use crate::library::Library;
 
 /// Surroundings of an object that whoever asks for many objects finds once for all.
 #[derive(Clone, Copy)]
@@ -101,20 +102,20 @@ impl Setup {
     /// A node of the project that runs without end, where it drives keys.
     pub fn object_lights(
         &self,
-        plan: &FramePlan,
-        draw: &Draw,
+        (plan, draw): (&FramePlan, &Draw),
+        library: &Library,
         time: f64,
     ) -> Result<IndexMap<LightId, LightValues>, Diagnostic> {
         let moved = self.at(time);
-        moved.lights_now(plan, draw, self.shading_time(time))
+        moved.lights_now((plan, draw), library, self.shading_time(time))
     }
 
     /// Lights as [`object_lights`](Self::object_lights) has them, of a setup that is moved to the
     /// time at which it shades, in seconds.
     fn lights_now(
         &self,
-        plan: &FramePlan,
-        draw: &Draw,
+        (plan, draw): (&FramePlan, &Draw),
+        library: &Library,
         time: f64,
     ) -> Result<IndexMap<LightId, LightValues>, Diagnostic> {
         let mut lights = IndexMap::new();
@@ -139,7 +140,7 @@ impl Setup {
             let Some(index) = object.look_of(draw).filter(|look| known.insert(*look)) else {
                 continue;
             };
-            let look = self.worn(index, object, time);
+            let look = self.worn(index, object, library, time);
             let rig = Rig::new(&look).value;
             let near = near_objects(&rig, scene_rig.as_deref(), (&object.id, center), &center_of);
             let around = Surroundings { near: &near, aims: &aims, scene_values: &none };

@@ -136,7 +136,7 @@ impl<'a> Evaluable<'a> {
         library: &Library,
         assets: &mut Assets,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let look = structural_look(&setup.look, 0.0, &Values::new());
+        let look = structural_look(&setup.look, library, 0.0, &Values::new());
         let shader = compile(
             &look,
             library,
@@ -213,9 +213,9 @@ pub fn eval_batches(
         return Err(problems);
     }
     let mut batches = Vec::new();
-    for indices in group(setup, samples).into_values() {
+    for indices in group(setup, library, samples).into_values() {
         let first = &samples[indices[0]];
-        let look = structural_look(&setup.look, first.time, &first.values);
+        let look = structural_look(&setup.look, library, first.time, &first.values);
         let options = CompileOptions {
             stage: Stage::Eval,
             live: live_for_values(&options.live, any_set),
@@ -248,7 +248,11 @@ pub fn eval_batches(
 }
 
 /// Indices of samples, grouped by the words that the samples set.
-fn group(setup: &SetupLook, samples: &[EvalSample]) -> IndexMap<String, Vec<usize>> {
+fn group(
+    setup: &SetupLook,
+    library: &Library,
+    samples: &[EvalSample],
+) -> IndexMap<String, Vec<usize>> {
     let has_words = setup
         .look
         .time_keys
@@ -262,7 +266,8 @@ fn group(setup: &SetupLook, samples: &[EvalSample]) -> IndexMap<String, Vec<usiz
             .filter(|(_, value)| matches!(value, Value::Text(_)) && value.color().is_none());
         let mut key: String = words.map(|(name, value)| format!("{name}={value:?};")).collect();
         if has_words {
-            key += &structural_look(&setup.look, sample.time, &sample.values).to_text();
+            let now = structural_look(&setup.look, library, sample.time, &sample.values);
+            key += &now.to_text();
         }
         groups.entry(key).or_default().push(index);
     }

@@ -4,7 +4,7 @@ use indexmap::IndexSet;
 
 use super::target::Place;
 use crate::diag::Diagnostic;
-use crate::document::{Definition, Endpoint, Graph, Look, Node, Target};
+use crate::document::{Endpoint, Look, Node, Target};
 use crate::frame::Setup;
 use crate::ids::{GROUP_INPUTS, NodePath, PortName};
 use crate::library::Library;
@@ -19,7 +19,8 @@ pub(super) fn inputs(
     let (path, port) = (NodePath::parse(node), PortName::from(port));
     let mut places = Vec::new();
     for (look, worn) in setup.looks.iter().enumerate() {
-        let Some((graph, found)) = node_at(&worn.look, library, &path) else { continue };
+        let found = library.node_of(&worn.look, path.ids());
+        let Some((graph, found)) = found else { continue };
         if !ports(&worn.look, library, found).contains(&port) {
             continue;
         }
@@ -63,26 +64,6 @@ fn source(path: &NodePath, from: &Endpoint) -> String {
         Some(group) => format!("{group}/{from}"),
         None => from.to_string(),
     }
-}
-
-/// Group of a kind, the look's own before the library's.
-fn definition_of<'l>(look: &'l Look, library: &'l Library, kind: &str) -> Option<&'l Definition> {
-    let of_library = || library.groups.get(kind).map(|group| &group.definition);
-    look.definitions.get(kind).or_else(of_library)
-}
-
-/// The node at the end of a path through groups, with the graph that it lies in.
-fn node_at<'l>(
-    look: &'l Look,
-    library: &'l Library,
-    path: &NodePath,
-) -> Option<(&'l Graph, &'l Node)> {
-    let (last, groups) = path.ids().split_last()?;
-    let inner = |graph: &'l Graph, id| {
-        Some(&definition_of(look, library, &graph.nodes.get(id)?.kind)?.graph)
-    };
-    let graph = groups.iter().try_fold(&look.graph, inner)?;
-    Some((graph, graph.nodes.get(last)?))
 }
 
 /// The inputs of a node.

@@ -175,8 +175,7 @@ impl VariedTarget {
                     let look = &mut setup.looks[*look].look;
                     let keyed = Target::Input { node: node.clone(), port: port.clone() };
                     unkey(look, |target| *target == keyed);
-                    let group = |kind: &str| Some(library.groups.get(kind)?.definition.clone());
-                    if let Some(node) = look.node_of_one_use(node, group) {
+                    if let Some(node) = library.node_of_one_use(look, node) {
                         node.values.insert(port.clone(), value.clone());
                     }
                 }

@@ -150,12 +150,7 @@ impl<'a> UsedGroups<'a> {
         for node in graph.nodes.values() {
             let kind = node.kind.as_str();
             let Entry::Vacant(entry) = self.by_kind.entry(kind) else { continue };
-            let own = look.definitions.get(kind);
-            let Some(definition) =
-                own.or_else(|| library.groups.get(kind).map(|group| &group.definition))
-            else {
-                continue;
-            };
+            let Some(definition) = library.group_of(look, kind) else { continue };
             entry.insert(GroupIndex(self.list.len()));
             let (inputs, outputs) = (by_name(&definition.inputs), by_name(&definition.outputs));
             self.list.push(UsedGroup {

@@ -12,14 +12,10 @@ use crate::document::{
 use crate::ids::{DefinitionId, FrameId, NodeId, NodePath, NoteId, PortName};
 
 fn graph_mut<'l>(look: &'l mut Look, graph: &GraphId) -> Result<&'l mut Graph, Box<Diagnostic>> {
-    match graph {
-        GraphId::Look => Ok(&mut look.graph),
-        GraphId::Definition(id) => look
-            .definitions
-            .get_mut(id)
-            .map(|found| &mut found.graph)
-            .ok_or_else(|| missing(tr!("part" => "group"), id)),
-    }
+    look.graph_of_mut(graph).ok_or_else(|| match graph {
+        GraphId::Definition(id) => missing(tr!("part" => "group"), id),
+        GraphId::Look => impossible(tr!("there is no graph")),
+    })
 }
 
 pub(super) fn node_mut<'l>(

@@ -13,8 +13,8 @@ use serde_json::Value as Json;
 use super::place::{default_of, is_identity, item_name, json_of};
 use crate::diag::Diagnostic;
 use crate::document::shape::{FieldKind, ObjectShape};
-use crate::document::{Definition, Graph, Look, Node, Scene, Target, TimeKeys, Value};
-use crate::ids::{DefinitionId, LightGroup, NodeId, NodePath, make_slug};
+use crate::document::{Graph, Look, Node, Scene, Target, TimeKeys, Value};
+use crate::ids::{DefinitionId, LightGroup, NodeId, NodePath};
 
 /// Most uses of a group that are looked for, and that a message names.
 const MOST_USES: usize = 1000;
@@ -221,42 +221,6 @@ impl Look {
             }
         }
         uses
-    }
-
-    /// The node at the end of a path, for changes of this use of the groups around it alone: groups
-    /// that have other uses get definitions of their own. `of_library` finds groups that are not
-    /// the look's.
-    pub fn node_of_one_use(
-        &mut self,
-        path: &NodePath,
-        of_library: impl Fn(&str) -> Option<Definition>,
-    ) -> Option<&mut Node> {
-        let (last, groups) = path.ids().split_last()?;
-        let mut around: Option<DefinitionId> = None;
-        for id in groups {
-            let kind = self.graph_of_group(around.as_ref())?.nodes.get(id)?.kind.clone();
-            let group = DefinitionId::from(kind.as_str());
-            if self.definitions.contains_key(&group) && self.uses_of(&group).len() == 1 {
-                around = Some(group);
-                continue;
-            }
-            let own = self.definitions.get(&group).cloned().or_else(|| of_library(&kind))?;
-            let is_taken = |slug: &str| self.definitions.contains_key(slug);
-            let alone = make_slug(&format!("{kind}_alone"), is_taken);
-            self.graph_of_group(around.as_ref())?.nodes.get_mut(id)?.kind.clone_from(&alone);
-            let alone = DefinitionId::from(alone.as_str());
-            self.definitions.insert(alone.clone(), own);
-            around = Some(alone);
-        }
-        self.graph_of_group(around.as_ref())?.nodes.get_mut(last)
-    }
-
-    /// The graph of a group of the look's own, or the look's itself.
-    fn graph_of_group(&mut self, group: Option<&DefinitionId>) -> Option<&mut Graph> {
-        match group {
-            Some(id) => self.definitions.get_mut(id).map(|definition| &mut definition.graph),
-            None => Some(&mut self.graph),
-        }
     }
 }
 

@@ -152,7 +152,7 @@ impl Look {
             let value = match (&keyed, &target) {
                 (Some(track), _) => track.keys.first().map(|key| &key.value),
                 (None, Target::Input { node, port }) => {
-                    node_of(self, node.ids()).and_then(|node| node.values.get(port))
+                    self.find(node).and_then(|found| found.node.values.get(port))
                 }
                 (None, Target::Light { .. }) => None,
             };
@@ -320,16 +320,6 @@ where
             Err(problem.suggest(id, all.keys().map(AsRef::as_ref)))
         }
     }
-}
-
-/// The node of a path through the look's own groups; `None` in a group of the library.
-fn node_of<'l>(look: &'l Look, ids: &[NodeId]) -> Option<&'l crate::document::Node> {
-    let (last, groups) = ids.split_last()?;
-    let mut graph = &look.graph;
-    for id in groups {
-        graph = &look.definitions.get(graph.nodes.get(id)?.kind.as_str())?.graph;
-    }
-    graph.nodes.get(last)
 }
 
 pub(super) fn json_of<T: Document>(document: &T) -> Json {

@@ -64,7 +64,10 @@ pub(super) fn files() -> Vec<CommandRow> {
             &[],
             Window,
         )
-        .help(text!("The look on every built-in shape; a click shows it there")),
+        .help(text!(
+            "The look on every built-in shape, or an object of the scene on other meshes; a click \
+             takes one"
+        )),
         row(C::OpenPath, text!("Open a file by its path"), &[(CTRL_SHIFT, Key::O)], Window),
         row(C::ShowStart(true), text!("Start page"), &[(ALT, Key::Home)], Window)
             .in_menu(Menu::Help),

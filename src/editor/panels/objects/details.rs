@@ -15,6 +15,7 @@ use crate::state::scene::{
     OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees, turned_around,
 };
 use crate::state::session::Session;
+use crate::state::variations::VariedSubject;
 use crate::state::view::TransformPart;
 use crate::widgets::theme;
 
@@ -71,11 +72,15 @@ impl Details {
     pub(super) fn show(&mut self, ui: &mut Ui, fields: &mut Fields<'_>) {
         let Fields { open_scene, id, object, .. } = *fields;
         ui.push_id(id, |ui| {
-            let mut out = Vec::new();
+            let (mut out, mut is_varied) = (Vec::new(), false);
             fields.row(ui, (tr!("Mesh"), tr!("What it is made of")), &["mesh"], |ui, label| {
-                mesh(ui, label, open_scene, id, object, &mut out);
+                is_varied = mesh(ui, label, open_scene, id, object, &mut out);
             });
             fields.out.append(&mut out);
+            if is_varied {
+                let subject = VariedSubject::ObjectMesh(id.clone());
+                fields.commands.push(Command::View(ViewCommand::Vary(subject)));
+            }
             looks(ui, fields);
             super::motion::animation(ui, fields);
             let mut new = object.transform;
@@ -193,6 +198,7 @@ fn handles(ui: &mut Ui, fields: &mut Fields<'_>) {
     });
 }
 
+/// Shows the choice of an object's mesh; true if its variations are asked for.
 fn mesh(
     ui: &mut Ui,
     label: Id,
@@ -200,7 +206,8 @@ fn mesh(
     id: &ObjectId,
     object: &Object,
     out: &mut Vec<SceneCommand>,
-) {
+) -> bool {
+    let mut is_varied = false;
     let combo = ComboBox::from_id_salt("mesh")
         .selected_text(mesh_label(&object.mesh))
         .width(ui.available_width() - 12.0);
@@ -224,8 +231,11 @@ fn mesh(
         {
             out.push(SceneCommand::Ask(FilePurpose::ObjectMesh, id.clone(), String::new()));
         }
+        let help = tr!("Small pictures of the object on other meshes; a click takes one");
+        is_varied = ui.selectable_label(false, tr!("Variations...")).on_hover_text(help).clicked();
     });
     combo.response.labelled_by(label).on_hover_text(&object.mesh);
+    is_varied
 }
 
 /// Shows a row for the look of all materials, and one for each material where the mesh has several

@@ -136,6 +136,12 @@ impl OpenScene {
         self.scene().objects.get_key_value(self.selected.as_ref()?)
     }
 
+    /// The selected object, or else the first that wears the open look.
+    pub(crate) fn selected_or_worn(&self) -> Option<&ObjectId> {
+        let worn = || self.scene().objects.iter().find(|(_, object)| self.wears_open(object));
+        self.selected().or_else(worn).map(|(id, _)| id)
+    }
+
     pub(crate) fn select(&mut self, id: Option<ObjectId>) {
         self.selected = id;
     }

@@ -12,7 +12,7 @@ use crate::progress::Interruption;
 use crate::reference::WireValue;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
-use crate::state::wire::{ShownWire, Style, node_at};
+use crate::state::wire::{ShownWire, Style};
 use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
 
@@ -217,7 +217,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         .then(|| wire.node.outermost().cloned().map(|id| Command::Show(NodePath::root(id))))
         .flatten();
     response.context_menu(|ui| {
-        let node = node_at(session.look(), &session.project.library, wire.node.ids());
+        let node = session.look_with_library().node_at(&wire.node);
         let Some(kind) = node.and_then(|node| session.project.catalog.of(node)) else { return };
         for (port, style) in
             kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style)))

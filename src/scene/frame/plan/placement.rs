@@ -73,7 +73,7 @@ impl PlacedScene<'_> {
         if object.values.is_empty() && object.layers.is_empty() {
             return Cow::Borrowed(&self.looks[look]);
         }
-        self.setup.worn(look, object, self.options.time)
+        self.setup.worn(look, object, self.library, self.options.time)
     }
 
     /// The center of each object, in world space.
@@ -119,7 +119,7 @@ impl Planner {
         ));
         let none = Values::new();
         let now = |look: &'a SetupLook| {
-            let look = structural_look(&look.look, options.time, &none);
+            let look = structural_look(&look.look, library, options.time, &none);
             with_lights_of(&setup.scene, look)
         };
         let looks = setup.looks.iter().map(now).collect();
