@@ -33,6 +33,9 @@ impl KeptPixels {
 
     /// Counts what is shaded of a plan's picture: all, or what has pixels in some areas.
     pub(crate) fn count(&mut self, plan: &FramePlan, areas: Option<&[PixelArea]>) {
+        if !self.is_on {
+            return;
+        }
         let is_shaded = |area: &PixelArea| {
             areas.is_none_or(|areas| areas.iter().any(|changed| changed.meets(area)))
         };
