@@ -46,6 +46,10 @@ impl Executor for Renderer {
         Self::keep_pixels(self);
     }
 
+    fn beside(&mut self) -> Option<&mut dyn Executor> {
+        self.beside_pixels().map(|renderer| renderer as &mut dyn Executor)
+    }
+
     fn shaded(&self) -> Option<ShadedShare> {
         Self::shaded(self)
     }

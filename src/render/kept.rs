@@ -2,7 +2,8 @@
 //! next one shades only the areas in which an input of some look changed.
 //!
 //! What is kept lies where it was drawn, so that it takes no memory beside the picture's own; it is
-//! forgotten with the targets, and after every error. In an area that changes, all objects that
+//! forgotten with the targets, and after every error. Only where a frame has further plans, of
+//! mattes or of more layers than one draw writes, a second renderer draws these. In an area that changes, all objects that
 //! have pixels there are drawn again, in their order, from what a cleared picture begins with:
 //! depths that tie, what may be seen through, and passes over the picture need no rule of their
 //! own, and the picture is, to the bit, the one that is drawn whole.
@@ -20,7 +21,9 @@ pub(crate) struct KeptPixels {
     /// Inputs of the looks that the samples were drawn from.
     pub(crate) inputs: Option<LookInputs>,
     pub(crate) blank: Option<BlankPipeline>,
-    pub(crate) share: ShadedShare,
+    share: ShadedShare,
+    /// Renderer of plans that would draw over what is kept.
+    beside: Option<Box<Renderer>>,
 }
 
 impl KeptPixels {
@@ -64,6 +67,13 @@ impl Renderer {
     /// Keeps the samples of each picture from now on.
     pub(crate) fn keep_pixels(&mut self) {
         self.kept.is_on = true;
+    }
+
+    /// The renderer of further plans of a picture, which has targets of its own; `None` unless
+    /// pixels are kept.
+    pub(crate) fn beside_pixels(&mut self) -> Option<&mut Self> {
+        let made = || Box::new(Self::new(self.gpu.clone()));
+        self.kept.is_on.then(|| &mut **self.kept.beside.get_or_insert_with(made))
     }
 
     /// The share of the last picture that was shaded; `None` unless pixels are kept.

@@ -9,10 +9,12 @@ use crate::support::random::Random;
 use crate::support::wait::block_on;
 use chiaro::compile::{AovSource, Live};
 use chiaro::document::{Scene, Tier};
+use chiaro::film::{AskedLayers, LayeredPlan, MatteKind};
 use chiaro::frame::{AovRequest, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject};
 use chiaro::geometry::Mesh;
 use chiaro::ids::NodePath;
 use chiaro::library::Library;
+use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
 use glam::{DMat4, DVec3};
 use serde_json::json;
@@ -245,4 +247,43 @@ fn pictures_are_the_same_bits_whatever_moves() {
     }
     let mean = kept / f64::from(frames);
     assert!(mean > 0.4, "few pixels were kept: {mean}");
+}
+
+#[test]
+fn depths_that_come_first_come_first_in_what_changes() {
+    let path = crate::depth_first::file("kept_pixels", true);
+    let mut setup = crate::depth_first::setup(&path, "quick", 1.0);
+    let mut pair = Pair::new();
+    for frame in 0..3 {
+        let plan = plan(&setup);
+        assert!(plan.draws.iter().all(|draw| draw.depth_first));
+        let (_, of, pixels) = pair.draw(&plan, &format!("frame {frame}"));
+        assert_eq!((of, pixels < 1.0), (2, frame > 0), "frame {frame}: {pixels}");
+        setup.objects[1].world_from_object.w_axis.x += 0.03;
+    }
+}
+
+/// Mattes and layers that one draw does not take are drawn beside what is kept.
+#[test]
+fn further_plans_of_a_frame_leave_what_is_kept() {
+    let gpu = renderer().gpu().clone();
+    let mut executor = gpu.executor();
+    assert!(executor.beside().is_none() && executor.shaded().is_none());
+    executor.keep_pixels();
+    let mut setup = room(vec![layered(0, 0.0, 1.0), layered(1, 0.2, 1.0)]);
+    let mut planner = Planner::default();
+    for frame in 0..3 {
+        let options = PlanOptions { size: SIZE, samples: 4, time: 0.0 };
+        let asked = AskedLayers { mattes: vec![MatteKind::Objects], ..AskedLayers::default() };
+        let scene = (&setup, Library::built_in(), &Live::Keyed);
+        let planned = LayeredPlan::new(&mut planner, scene, &options, &asked, 7);
+        let plan = planned.unwrap_or_else(|problems| panic!("{}", told(&problems))).value;
+        let kept = block_on(plan.draw(&mut *executor, &Progress::new())).expect("a picture");
+        let whole = block_on(plan.draw(&mut *gpu.executor(), &Progress::new())).expect("a picture");
+        assert!(kept.picture == whole.picture, "frame {frame}");
+        assert!(kept.exr_layers() == whole.exr_layers(), "frame {frame}");
+        let share = executor.shaded().expect("it is counted");
+        assert_eq!(share.pixels < 0.3, frame > 0, "frame {frame}: {share:?}");
+        setup.objects[3].world_from_object.w_axis.y += 0.1;
+    }
 }

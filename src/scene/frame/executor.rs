@@ -51,6 +51,12 @@ pub trait Executor {
     /// not shaded again in the next one. Every picture stays what it is, to the bit.
     fn keep_pixels(&mut self) {}
 
+    /// The executor for further plans of the same picture, such as those of mattes, where this one
+    /// keeps pixels that they would draw over.
+    fn beside(&mut self) -> Option<&mut dyn Executor> {
+        None
+    }
+
     /// The share of the last picture that was shaded; `None` where that is not counted.
     fn shaded(&self) -> Option<ShadedShare> {
         None
