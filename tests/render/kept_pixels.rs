@@ -170,7 +170,7 @@ fn a_camera_or_a_light_that_moves_leaves_nothing() {
 
 #[test]
 fn a_shadow_that_moves_is_drawn_on_what_stands_still() {
-    for tier in [Tier::Exact, Tier::Quick] {
+    for tier in [Tier::Exact, Tier::Balanced] {
         let mut setup = room(vec![shadowed(tier), layered(1, 0.0, 1.0), layered(2, 0.0, 1.0)]);
         let mut pair = Pair::new();
         let first = plan(&setup);
