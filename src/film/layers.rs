@@ -299,16 +299,20 @@ impl LayeredPlan {
             return Ok(drawn);
         }
         progress.begin(self.plans().count() as u64);
-        for plan in std::iter::once(&self.first).chain(&self.further) {
-            let made = executor.layered(plan, &progress.part(1)).await?;
-            if drawn.picture.rgba.is_empty() {
-                drawn.picture = made.picture;
-            }
+        let made = executor.layered(&self.first, &progress.part(1)).await?;
+        drawn.picture = made.picture;
+        drawn.layers.extend(self.first.aovs.iter().cloned().zip(made.layers));
+        let beside = match executor.beside() {
+            Some(beside) => beside,
+            None => executor,
+        };
+        for plan in &self.further {
+            let made = beside.layered(plan, &progress.part(1)).await?;
             drawn.layers.extend(plan.aovs.iter().cloned().zip(made.layers));
         }
         let mut samples: Vec<Vec<Option<MattePart>>> = Vec::with_capacity(self.mattes.len());
         for plan in &self.mattes {
-            let made = executor.picture(plan, &progress.part(1)).await?;
+            let made = beside.picture(plan, &progress.part(1)).await?;
             samples.push(MattePart::seen(&made).collect());
         }
         let matte = |names: &MatteNames| {

@@ -44,6 +44,7 @@ impl Display {
             buffers: &[],
             primitive: wgpu::PrimitiveState::default(),
             depth: None,
+            samples: 1,
             targets: &[Some(gpu.picture.into())],
         };
         let pipeline = parts.pipeline(device);

@@ -1,7 +1,7 @@
 //! The renderer as an executor of frame plans.
 
 use crate::diag::Diagnostic;
-use crate::frame::{Executor, FramePlan, LayersFuture, PictureFuture};
+use crate::frame::{Executor, FramePlan, LayersFuture, PictureFuture, ShadedShare};
 use crate::progress::Progress;
 use crate::{Gpu, Renderer};
 
@@ -40,6 +40,18 @@ impl Executor for Renderer {
 
     fn most_layers(&self) -> usize {
         self.gpu().most_layers()
+    }
+
+    fn keep_pixels(&mut self) {
+        Self::keep_pixels(self);
+    }
+
+    fn beside(&mut self) -> Option<&mut dyn Executor> {
+        self.beside_pixels().map(|renderer| renderer as &mut dyn Executor)
+    }
+
+    fn shaded(&self) -> Option<ShadedShare> {
+        Self::shaded(self)
     }
 
     fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {

@@ -17,6 +17,7 @@ mod eval;
 mod executor;
 mod gpu;
 mod image;
+mod kept;
 mod mesh;
 mod passes;
 mod pipeline;
@@ -58,6 +59,8 @@ pub struct Renderer {
     lights: shadow_maps::LightTargets,
     /// Hash of the inputs that each pass's targets were drawn from.
     done: HashMap<PassId, u64>,
+    /// Pixels of the last picture, where they are kept.
+    kept: kept::KeptPixels,
     /// Timer of the passes, while they are measured.
     timer: Option<timer::Timer>,
 }
@@ -76,6 +79,7 @@ impl Renderer {
             casters: None,
             lights: shadow_maps::LightTargets::default(),
             done: HashMap::new(),
+            kept: kept::KeptPixels::default(),
             timer: None,
         }
     }
@@ -131,6 +135,9 @@ impl Renderer {
         if self.prepare_shadow_maps(plan)? {
             self.done.clear();
         }
+        // What was cleared, and what may have changed unseen, begins anew.
+        let mut inputs = self.kept.inputs.take().filter(|_| !self.done.is_empty());
+        self.kept.count(plan, Some(&[]));
         let mut encoder = self
             .gpu
             .device
@@ -151,11 +158,15 @@ impl Renderer {
                 (None, _) => self.draw_screen(plan, pass.id, &mut encoder)?,
                 (Some(_), Some(deferral)) if pass.id.writes_picture() => {
                     self.draw_deferred(plan, deferral, &mut encoder)?;
+                    self.kept.count(plan, None);
+                    inputs = None;
                 }
                 (Some(_), Some(deferral)) if pass.id == deferral.surface => {
                     self.draw_numbered(plan, deferral, &mut encoder)?;
                 }
-                (Some(_), _) if pass.id.writes_picture() => self.draw_look(plan, &mut encoder)?,
+                (Some(_), _) if pass.id.writes_picture() => {
+                    inputs = self.draw_look(plan, inputs.as_ref(), &mut encoder)?;
+                }
                 (Some(stage), _) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
             }
             ran.push(pass.id);
@@ -179,6 +190,7 @@ impl Renderer {
             }
             return Err(error);
         }
+        self.kept.inputs = inputs;
         self.done.extend(plan.passes.iter().map(|pass| (pass.id, pass.input_hash)));
         self.gpu.store.keep_recent();
         Ok(ran)

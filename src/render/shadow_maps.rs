@@ -60,6 +60,7 @@ impl LightPipeline {
             buffers: &[Some(buffer)],
             primitive: wgpu::PrimitiveState::default(),
             depth: Some(DepthTest::Nearest),
+            samples: 1,
             targets: &targets_of(gpu, pass),
         };
         let pipeline = parts.pipeline(&gpu.device);

@@ -18,7 +18,7 @@ const SIZE: [u32; 2] = [96, 72];
 
 /// Writes an HCBTF of noise into a folder of the build. The last sample of one that is not opaque
 /// has a hole.
-fn file(name: &str, is_opaque: bool) -> PathBuf {
+pub(crate) fn file(name: &str, is_opaque: bool) -> PathBuf {
     let directions = Directions { theta: 3, phi: 4 };
     let grid = Grid { size: [6, 4], light: directions, view: directions };
     let mut hcbtf = Hcbtf::new(grid);
@@ -40,7 +40,7 @@ fn file(name: &str, is_opaque: bool) -> PathBuf {
 }
 
 /// A painted torus before painted waves; `alpha` is that of the color below the horizon.
-fn setup(path: &Path, storage: &str, alpha: f64) -> Setup {
+pub(crate) fn setup(path: &Path, storage: &str, alpha: f64) -> Setup {
     let worn = || {
         look(&json!({
             "lights": {"key": {"direction": [0.4, 0.8, 0.5]}},

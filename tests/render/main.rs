@@ -11,6 +11,7 @@ mod depth_first;
 mod displays;
 mod effects;
 mod grouping;
+mod kept_pixels;
 mod layered_lights;
 mod links;
 mod lit_pixels;

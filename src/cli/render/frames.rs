@@ -25,7 +25,7 @@ use crate::film::exr::{ExrHeader, FrameStamp};
 use crate::film::{
     DisplayView, DrawnLayers, FrameList, FramePattern, FrameRate, LayeredPlan, PlanHasher,
 };
-use crate::frame::{Executor, PlanOptions};
+use crate::frame::{Executor, PlanOptions, ShadedShare};
 use crate::output::{Output, refuse_warnings};
 use crate::threads;
 
@@ -120,6 +120,8 @@ struct Frame<T> {
     header: ExrHeader,
     state: FrameState<T>,
     seconds: Seconds,
+    /// Share of the picture that was shaded; `None` where that is not counted.
+    shaded: Option<ShadedShare>,
 }
 
 /// Fate of a frame.
@@ -155,6 +157,8 @@ struct Summary {
     failed: Vec<i32>,
     reason: String,
     seconds: Seconds,
+    /// Drawn frames of which it is counted what was shaded, and the sum of their shares of pixels.
+    shaded: (usize, f64),
     /// Number of threads that write.
     writers: usize,
 }
@@ -179,6 +183,7 @@ pub(super) fn draw(
     let (to_draw, planned) = sync_channel(1);
     let (to_write, drawn) = sync_channel(1);
     let name = executor.name();
+    executor.keep_pixels();
     // Each part owns its ends of the channels, so that the others end when it does.
     let summary = in_parallel(
         move || plan_all(sequence, stage, &to_draw, output),
@@ -240,7 +245,10 @@ fn plan_all(
             Err(problems) => {
                 let state = FrameState::Failed(problems);
                 let (header, seconds) = (ExrHeader::default(), Seconds::default());
-                if to_draw.send(Frame { frame, file, header, state, seconds }).is_err() {
+                if to_draw
+                    .send(Frame { frame, file, header, state, seconds, shaded: None })
+                    .is_err()
+                {
                     break;
                 }
                 continue;
@@ -267,7 +275,7 @@ fn plan_all(
         };
         seen.entry(content).or_insert_with(|| (frame, file.clone()));
         let seconds = Seconds { planning: clock.seconds(), ..Seconds::default() };
-        if to_draw.send(Frame { frame, file, header, state, seconds }).is_err() {
+        if to_draw.send(Frame { frame, file, header, state, seconds, shaded: None }).is_err() {
             break;
         }
     }
@@ -296,7 +304,7 @@ fn draw_all(
     output: &Output,
 ) {
     let mut told = HashSet::new();
-    for Frame { frame, file, header, state, mut seconds } in planned {
+    for Frame { frame, file, header, state, mut seconds, mut shaded } in planned {
         let state = match state {
             FrameState::Kept => FrameState::Kept,
             FrameState::Equal { frame, file } => FrameState::Equal { frame, file },
@@ -309,11 +317,12 @@ fn draw_all(
                     .watch_async("drawing", async |progress| plan.draw(executor, progress).await);
                 let picture = crate::wait(picture);
                 seconds.drawing = clock.seconds();
+                shaded = executor.shaded();
                 picture.map_or_else(|problem| FrameState::Failed(vec![problem]), FrameState::New)
             }
             FrameState::Failed(problems) => FrameState::Failed(problems),
         };
-        if to_write.send(Frame { frame, file, header, state, seconds }).is_err() {
+        if to_write.send(Frame { frame, file, header, state, seconds, shaded }).is_err() {
             break;
         }
     }
@@ -342,6 +351,9 @@ impl DrawnFrame {
             FrameState::Equal { frame, .. } => told["to"] = json!(frame),
             FrameState::Failed(problems) => told["problems"] = json!(problems),
             FrameState::Kept | FrameState::New(_) => {}
+        }
+        if let Some(ShadedShare { objects, of, pixels }) = self.shaded {
+            told["shaded"] = json!({"objects": objects, "of": of, "pixels": pixels});
         }
         told
     }
@@ -407,6 +419,9 @@ impl Summary {
                 return;
             }
         } += 1;
+        if let Some(share) = frame.shaded {
+            self.shaded = (self.shaded.0 + 1, self.shaded.1 + share.pixels);
+        }
         self.seconds.planning += frame.seconds.planning;
         self.seconds.drawing += frame.seconds.drawing;
         self.seconds.writing += frame.seconds.writing;
@@ -426,8 +441,14 @@ impl Summary {
             0 => String::new(),
             count => format!(", {count} failed"),
         };
+        let shaded = match self.shaded {
+            (0, _) => String::new(),
+            (frames, pixels) => {
+                format!(" ({:.0}% of their pixels)", 100.0 * pixels / frames as f64)
+            }
+        };
         format!(
-            "{frames} frames on {executor}: {drawn} drawn, {equal} equal to others, {kept} kept\
+            "{frames} frames on {executor}: {drawn} drawn{shaded}, {equal} equal to others, {kept} kept\
              {failed}; {seconds:.1} s, {an_hour:.0} frames an hour, bound by {bound} \
              ({longest:.1} s of it)"
         )

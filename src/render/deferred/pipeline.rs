@@ -147,6 +147,7 @@ fn look_pipeline(gpu: &Gpu, shader: &CompiledShader, module: &DeferredModule) ->
         buffers: &[],
         primitive: wgpu::PrimitiveState::default(),
         depth: Some(DepthTest::Behind),
+        samples: 1,
         targets: &[blended(gpu.picture)],
     };
     DeferredPipeline { pipeline: parts.pipeline(&gpu.device), look, mesh: Some(mesh) }
@@ -184,6 +185,7 @@ fn surface_pipeline(
         buffers: &buffers,
         primitive: sides.primitive(),
         depth: Some(DepthTest::Nearest),
+        samples: 1,
         targets: &targets,
     };
     DeferredPipeline { pipeline: parts.pipeline(&gpu.device), look, mesh: None }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use super::uniform;
 use crate::compile::{BindingKind, CompiledShader, Stage, Uniform};
-use crate::frame::{Draw, FramePlan};
+use crate::frame::{Draw, FramePlan, PixelArea};
 use crate::mesh::Meshes;
 use crate::pipeline::{DepthUse, LookPipeline, Sides};
 use crate::{RenderError, Renderer};
@@ -176,32 +176,38 @@ fn offsets(
 }
 
 impl BoundLists<'_> {
-    /// Draws all lists, one after another; depths that come before colors first.
-    pub(super) fn submit(&self, meshes: &Meshes, pass: &mut wgpu::RenderPass<'_>) {
+    /// Draws all lists, one after another; depths that come before colors first. Draws without
+    /// pixels in `area`, if there is one, are left out.
+    pub(super) fn submit(
+        &self,
+        meshes: &Meshes,
+        pass: &mut wgpu::RenderPass<'_>,
+        area: Option<PixelArea>,
+    ) {
         // What hides most comes first.
         for list in self.0.iter().rev() {
             if let Some(depths) = &list.depths {
-                list.submit(depths, meshes, pass, true);
+                list.submit(depths, meshes, pass, (true, area));
             }
         }
         // Where two draws are equally near, the first one is seen; of draws whose depths are known
         // the last one is.
-        if self.0.iter().all(|list| list.depths.is_some()) {
-            self.0.iter().rev().for_each(|list| list.submit(&list.pipeline, meshes, pass, true));
-        } else {
-            self.0.iter().for_each(|list| list.submit(&list.pipeline, meshes, pass, false));
-        }
+        let (lists, is_reversed) = (self.0.iter(), self.0.iter().all(|list| list.depths.is_some()));
+        let submit = |list: &BoundList<'_>| {
+            list.submit(&list.pipeline, meshes, pass, (is_reversed, area));
+        };
+        if is_reversed { lists.rev().for_each(submit) } else { lists.for_each(submit) }
     }
 }
 
 impl BoundList<'_> {
-    /// Draws the list, or draws it from its end.
+    /// Draws the list, or draws it from its end; without the draws that have no pixels in `area`.
     fn submit(
         &self,
         pipeline: &LookPipeline,
         meshes: &Meshes,
         pass: &mut wgpu::RenderPass<'_>,
-        is_reversed: bool,
+        (is_reversed, area): (bool, Option<PixelArea>),
     ) {
         pass.set_pipeline(&pipeline.pipeline);
         let count = self.draws.len();
@@ -210,6 +216,9 @@ impl BoundList<'_> {
         for place in 0..count {
             let index = if is_reversed { count - 1 - place } else { place };
             let draw = &self.draws[index];
+            if area.is_some_and(|area| !area.meets(&draw.area)) {
+                continue;
+            }
             if mesh != Some(Arc::as_ptr(&draw.mesh)) {
                 meshes.bind(pass, &draw.mesh, &pipeline.attributes);
                 mesh = Some(Arc::as_ptr(&draw.mesh));

@@ -1,6 +1,7 @@
 //! Pass of the looks themselves, each object with its own.
 
-use crate::frame::{FramePlan, PassId};
+use super::blank::BlankPipeline;
+use crate::frame::{FramePlan, LookInputs, PassId, PixelArea};
 use crate::target::FAR_PLANE;
 use crate::{RenderError, Renderer};
 
@@ -17,19 +18,19 @@ pub(crate) fn cleared(
     }
 }
 
-/// A color attachment that is cleared to one color, and whose samples, if it has several, are
-/// averaged into `view`.
+/// A color attachment whose samples, if it has several, are averaged into `view`.
 fn resolved<'a>(
     view: &'a wgpu::TextureView,
     samples: Option<&'a wgpu::TextureView>,
-    color: wgpu::Color,
+    ops: wgpu::Operations<wgpu::Color>,
 ) -> wgpu::RenderPassColorAttachment<'a> {
-    let Some(samples) = samples else { return cleared(view, color) };
-    let mut attachment = cleared(samples, color);
-    attachment.resolve_target = Some(view);
-    // The samples are not needed once they are resolved.
-    attachment.ops.store = wgpu::StoreOp::Discard;
-    attachment
+    let store = if samples.is_some() { ops.store } else { wgpu::StoreOp::Store };
+    wgpu::RenderPassColorAttachment {
+        view: samples.unwrap_or(view),
+        depth_slice: None,
+        resolve_target: samples.map(|_| view),
+        ops: wgpu::Operations { store, ..ops },
+    }
 }
 
 /// A depth attachment that is cleared to the far plane.
@@ -51,31 +52,63 @@ pub(crate) fn background(plan: &FramePlan) -> wgpu::Color {
 }
 
 impl Renderer {
+    /// Draws the looks: all, or what changed since the samples of `before` were drawn. Returns the
+    /// inputs of the samples that are there now, where they are kept.
     pub(crate) fn draw_look(
         &mut self,
         plan: &FramePlan,
+        before: Option<&LookInputs>,
         encoder: &mut wgpu::CommandEncoder,
-    ) -> Result<(), RenderError> {
-        let Some(stage) = PassId::LOOK.stage() else { return Ok(()) };
+    ) -> Result<Option<LookInputs>, RenderError> {
+        let Some(stage) = PassId::LOOK.stage() else { return Ok(None) };
         let lists = self.bind_lists(plan, stage, plan.samples)?;
         let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else {
-            return Ok(());
+            return Ok(None);
         };
+        let inputs = self.kept.inputs_of(plan);
+        let changed = inputs.as_ref().zip(before).and_then(|(now, then)| now.changed_since(then));
+        self.kept.count(plan, changed.as_deref());
+        // The samples are not needed once they are resolved, unless they are kept.
+        let store = if inputs.is_some() { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard };
+        let of_color = |color| wgpu::Operations { load: load(&changed, color), store };
         let background = background(plan);
         let layers = self.targets.layer_views();
-        let color = resolved(&picture, self.targets.multisampled.as_ref(), background);
+        let samples = self.targets.multisampled.as_ref();
+        let color = resolved(&picture, samples, of_color(background));
         let beside = layers.iter().map(|(layer, samples)| {
-            Some(resolved(layer, samples.as_ref(), wgpu::Color::TRANSPARENT))
+            Some(resolved(layer, samples.as_ref(), of_color(wgpu::Color::TRANSPARENT)))
         });
         let colors: Vec<_> = std::iter::once(Some(color)).chain(beside).collect();
+        let mut of_depth = depth_attachment(depth, store);
+        of_depth.depth_ops = Some(wgpu::Operations { load: load(&changed, FAR_PLANE), store });
+        let counts = (plan.samples, layers.len());
+        let blank = changed.as_ref().map(|_| {
+            BlankPipeline::prepare(&mut self.kept.blank, &self.gpu, counts, background, encoder)
+        });
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("look"),
             color_attachments: &colors,
-            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::StoreOp::Discard)),
+            depth_stencil_attachment: Some(of_depth),
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
-        lists.submit(&self.meshes, &mut pass);
-        Ok(())
+        let (Some(changed), Some(blank)) = (&changed, blank) else {
+            lists.submit(&self.meshes, &mut pass, None);
+            drop(pass);
+            return Ok(inputs);
+        };
+        for area in changed {
+            let ([x, y], [width, height]) = (area.begin, area.size());
+            pass.set_scissor_rect(x, y, width, height);
+            blank.draw(&mut pass);
+            lists.submit(&self.meshes, &mut pass, Some(*area));
+        }
+        drop(pass);
+        Ok(inputs)
     }
+}
+
+/// The beginning of an attachment: blank, or what is kept where only some areas change.
+fn load<V>(changed: &Option<Vec<PixelArea>>, blank: V) -> wgpu::LoadOp<V> {
+    if changed.is_some() { wgpu::LoadOp::Load } else { wgpu::LoadOp::Clear(blank) }
 }

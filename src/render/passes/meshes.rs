@@ -24,7 +24,7 @@ impl Renderer {
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
-        lists.submit(&self.meshes, &mut pass);
+        lists.submit(&self.meshes, &mut pass, None);
         Ok(())
     }
 }

@@ -3,6 +3,7 @@
 
 use wgpu::util::DeviceExt as _;
 
+mod blank;
 mod lists;
 mod look;
 mod meshes;
@@ -10,6 +11,7 @@ mod parts;
 mod resources;
 mod screen;
 
+pub(crate) use blank::BlankPipeline;
 pub(crate) use look::{background, cleared, depth_attachment};
 pub(crate) use parts::{
     DepthTest, PipelineParts, UNFILTERED, layout_of, targets_of, texels_type, uniform_type,

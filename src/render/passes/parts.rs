@@ -1,5 +1,4 @@
-//! Pipelines of passes, by what differs between them: one module with `vs_main` and `fs_main`, one
-//! sample a pixel.
+//! Pipelines of passes, by what differs between them: one module with `vs_main` and `fs_main`.
 
 use crate::frame::PassId;
 use crate::gpu::Gpu;
@@ -15,6 +14,8 @@ pub(crate) struct PipelineParts<'a> {
     pub(crate) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     pub(crate) primitive: wgpu::PrimitiveState,
     pub(crate) depth: Option<DepthTest>,
+    /// Samples a pixel.
+    pub(crate) samples: u32,
     pub(crate) targets: &'a [Option<wgpu::ColorTargetState>],
 }
 
@@ -25,6 +26,8 @@ pub(crate) enum DepthTest {
     Nearest,
     /// Fragments behind a surface that was drawn before, whose depth stays, are drawn.
     Behind,
+    /// All fragments are drawn, and their depth is written.
+    Any,
 }
 
 impl DepthTest {
@@ -32,6 +35,7 @@ impl DepthTest {
         let (writes, compare) = match self {
             Self::Nearest => (true, wgpu::CompareFunction::Less),
             Self::Behind => (false, wgpu::CompareFunction::Greater),
+            Self::Any => (true, wgpu::CompareFunction::Always),
         };
         wgpu::DepthStencilState {
             format: DEPTH,
@@ -65,7 +69,10 @@ impl PipelineParts<'_> {
             },
             primitive: self.primitive,
             depth_stencil: self.depth.map(DepthTest::state),
-            multisample: wgpu::MultisampleState::default(),
+            multisample: wgpu::MultisampleState {
+                count: self.samples,
+                ..wgpu::MultisampleState::default()
+            },
             fragment: Some(wgpu::FragmentState {
                 module: &module,
                 entry_point: Some("fs_main"),

@@ -42,6 +42,7 @@ impl ScreenPipeline {
             buffers: &[],
             primitive: wgpu::PrimitiveState::default(),
             depth: tests_depth.then_some(DepthTest::Behind),
+            samples: 1,
             targets: &targets_of(gpu, pass),
         };
         let pipeline = parts.pipeline(&gpu.device);

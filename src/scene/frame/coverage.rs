@@ -6,7 +6,7 @@ use super::camera::View;
 use crate::geometry::Bounds;
 
 /// Rectangle of pixels of a picture, from `begin` up to `end`, which is excluded; y points down.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PixelArea {
     /// Left and top.
     pub begin: [u32; 2],
@@ -41,6 +41,14 @@ impl PixelArea {
     /// True if a pixel lies within.
     pub fn contains(&self, pixel: [u32; 2]) -> bool {
         (0..2).all(|axis| (self.begin[axis]..self.end[axis]).contains(&pixel[axis]))
+    }
+
+    /// True if some pixel lies within both.
+    pub fn meets(&self, other: &Self) -> bool {
+        (0..2).all(|axis| {
+            let begin = self.begin[axis].max(other.begin[axis]);
+            begin < self.end[axis].min(other.end[axis])
+        })
     }
 
     /// Least area that has both.
@@ -121,6 +129,9 @@ mod tests {
         assert!(area.contains([5, 4]) && !area.contains([6, 4]) && !area.contains([5, 5]));
         assert_eq!(PixelArea::EMPTY.joined(area), area);
         assert_eq!(area.joined(PixelArea::EMPTY), area);
+        assert!(area.meets(&PixelArea { begin: [5, 0], end: [9, 5] }));
+        assert!(!area.meets(&PixelArea { begin: [6, 0], end: [9, 5] }));
+        assert!(!area.meets(&PixelArea::EMPTY));
         let other = PixelArea { begin: [0, 7], end: [1, 9] };
         assert_eq!(area.joined(other), PixelArea { begin: [0, 4], end: [6, 9] });
         assert_eq!(area.widened(4, [8, 8]), PixelArea { begin: [0, 0], end: [8, 8] });

@@ -14,6 +14,17 @@ pub type PictureFuture<'a> = Pin<Box<dyn Future<Output = Result<Picture, Diagnos
 /// Future of a picture with its layers, or of the error that prevents it.
 pub type LayersFuture<'a> = Pin<Box<dyn Future<Output = Result<LayeredPicture, Diagnostic>> + 'a>>;
 
+/// Share of a picture that was shaded for it, and not taken from the picture before.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ShadedShare {
+    /// Number of objects of which any pixel was shaded.
+    pub objects: usize,
+    /// Number of all objects of the picture.
+    pub of: usize,
+    /// Share of the picture's pixels in which objects were shaded: 1 for all.
+    pub pixels: f64,
+}
+
 /// Maker of the picture of a frame plan: a GPU, or the reference. All executors take the same plans
 /// and give the same pictures, so that callers that only want a picture need not ask which one they
 /// have.
@@ -35,6 +46,21 @@ pub trait Executor {
 
     /// The most layers beside the picture that one plan may have.
     fn most_layers(&self) -> usize;
+
+    /// Keeps what was drawn of a picture from now on, if it can: pixels in which nothing changes are
+    /// not shaded again in the next one. Every picture stays what it is, to the bit.
+    fn keep_pixels(&mut self) {}
+
+    /// The executor for further plans of the same picture, such as those of mattes, where this one
+    /// keeps pixels that they would draw over.
+    fn beside(&mut self) -> Option<&mut dyn Executor> {
+        None
+    }
+
+    /// The share of the last picture that was shaded; `None` where that is not counted.
+    fn shaded(&self) -> Option<ShadedShare> {
+        None
+    }
 
     /// Warnings about parts of a plan that will not be drawn as asked for.
     fn warnings(&self, _plan: &FramePlan) -> Vec<Diagnostic> {

@@ -63,7 +63,7 @@ pub use deferred::{
 };
 pub use display::{DisplayModule, DisplayTable};
 pub use effects::{Effect, EffectKind, EffectState, effects};
-pub use executor::{Executor, LayersFuture, PictureFuture};
+pub use executor::{Executor, LayersFuture, PictureFuture, ShadedShare};
 pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
@@ -76,7 +76,9 @@ pub use mix::SOLOED;
 pub use motion::PlayedAnimation;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
-pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner, named_map};
+pub use plan::{
+    Draw, DroppedEffect, FramePlan, LookInputs, Pass, PlanOptions, PlanStyle, Planner, named_map,
+};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
 pub use screen::{Ink, PassImage, ScreenBinding, ScreenModule, ScreenResource, ViewNumber};
 pub use setup::{

@@ -326,6 +326,7 @@ mod tests {
             header: ExrHeader { plan: format!("plan {plan}"), ..ExrHeader::default() },
             state,
             seconds: Seconds::default(),
+            shaded: None,
         }
     }
 

@@ -52,7 +52,7 @@ pub(crate) struct PictureDrawer {
 
 impl PictureDrawer {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        let renderer = Renderer::new(gpu.clone());
+        let renderer = Renderer::new(gpu.clone()).keeping_pixels();
         Self { renderer, hasher: PlanHasher::default(), known: HashMap::new() }
     }
 

@@ -341,6 +341,7 @@ impl PartDraw<'_> {
             is_mirrored: is_mirrored(object.world_from_object),
             depth_first: images.depth_first,
             distance: view.backward.dot(view.eye - placed.center),
+            area: scene.area(&self.visible),
         })
     }
 

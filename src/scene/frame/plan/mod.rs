@@ -5,13 +5,15 @@
 //! look that is wanted, `passes` joins the passes that anything reads, `draws` computes the
 //! uniforms, each look's once where no object has others, `order` puts draws of one look side by
 //! side, and `deferral` chooses how looks are drawn. `omissions` lists what was left out, and
-//! `images` reads what modules sample.
+//! `images` reads what modules sample. `look_inputs` tells which
+//! pixels of one plan's picture another plan's has too.
 
 mod casters;
 mod deferral;
 mod draws;
 mod images;
 mod key;
+mod look_inputs;
 mod omissions;
 mod order;
 mod passes;
@@ -45,6 +47,7 @@ use crate::library::{PassId, Stage};
 pub(super) use draws::current_params;
 pub(super) use images::images;
 pub use images::named_map;
+pub use look_inputs::LookInputs;
 pub use planner::Planner;
 pub use style::PlanStyle;
 
@@ -125,6 +128,8 @@ pub struct Draw {
     /// Distance from the eye along the line of sight, for drawing transparent parts from back to
     /// front.
     pub distance: f64,
+    /// Pixels that may show it.
+    pub area: PixelArea,
 }
 
 impl Draw {
