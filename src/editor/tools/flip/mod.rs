@@ -87,10 +87,21 @@ impl FlipSubject {
     }
 }
 
+/// Version that waits beside the one that is compared with, and the form of frames like its own.
+struct AsideVersion {
+    version: OtherVersion,
+    form: Option<FrameForm>,
+}
+
 /// Flip book against another version.
 pub(crate) struct FlipBook {
     worker: Worker<FlipRequest, FlipAnswer>,
     version: Option<OtherVersion>,
+    /// Versions that wait while another one is compared with; those that are read or drawn again
+    /// hold no frames meanwhile.
+    beside: Vec<AsideVersion>,
+    /// Number of versions that were kept since the flip book was opened.
+    kept: u32,
     /// Document whose frames are compared with it.
     subject: Option<FlipSubject>,
     /// Number of the version: an answer about another one does not count.
@@ -125,6 +136,8 @@ impl FlipBook {
         Self {
             worker: Worker::waiting("flip book", wake, run),
             version: None,
+            beside: Vec::new(),
+            kept: 0,
             subject: None,
             number: RequestNumber::default(),
             opens: None,
@@ -150,8 +163,7 @@ impl FlipBook {
             return;
         }
         self.display = display.cloned();
-        let is_kept = |version: &OtherVersion| matches!(version.source, VersionSource::Kept);
-        if let Some(version) = self.version.as_mut().filter(|version| !is_kept(version)) {
+        if let Some(version) = self.version.as_mut().filter(|version| !version.is_kept()) {
             version.frames.clear();
             self.deltas.clear();
             // Answers on their way are of the former view.
@@ -202,19 +214,93 @@ impl FlipBook {
         failed.map(|(frame, problem)| (*frame, problem.message.as_str()))
     }
 
-    /// Keeps the frames of the cache as the other version.
+    /// Names of the versions that wait beside the one that is compared with.
+    fn beside(&self) -> impl Iterator<Item = &str> {
+        self.beside.iter().map(|aside| aside.version.name.as_str())
+    }
+
+    /// Memory of all frames that were kept, in bytes.
+    fn kept_bytes(&self) -> usize {
+        let beside = self.beside.iter().map(|aside| &aside.version);
+        let kept = self.version.iter().chain(beside).filter(|version| version.is_kept());
+        kept.map(|version| version.frames.bytes()).sum()
+    }
+
+    /// Keeps the frames of the cache as the other version; beside the one that they are compared
+    /// with, where there is one.
     pub(crate) fn keep(&mut self, playback: &mut Playback) {
         let (Some(transport), Some(size)) = (playback.transport(), playback.frame_size()) else {
             return;
         };
         let order = transport.order;
         let half = playback.memory_bytes() / 2;
-        let frames = playback.cache().copy_within(half, order);
-        let name = tr!("Kept version").to_owned();
+        // Frames that are read or drawn again need room; those that were kept stay.
+        let room = match &self.version {
+            Some(version) if !version.is_kept() => half / 2,
+            _ => half,
+        };
+        let room = room.saturating_sub(self.kept_bytes());
+        let frames = playback.cache().copy_within(room, order);
+        if frames.bytes() == 0 {
+            let problem = tr!("there is no memory for another version: close the flip book first");
+            self.problem = Some(problem.to_owned());
+            return;
+        }
+        self.kept += 1;
+        let name = match self.kept {
+            1 => tr!("Kept version").to_owned(),
+            number => tr!("Kept version {number}"),
+        };
+        let by_scene = playback.form().is_some_and(|form| form.by_scene);
+        let form = Some(FrameForm { size, by_scene });
+        let left = half.saturating_sub(self.kept_bytes() + frames.bytes());
         let (source, failed) = (VersionSource::Kept, BTreeMap::new());
-        let kept = Some(size);
-        self.begin(OtherVersion { name, source, frames, size: kept, bytes: 0, failed });
-        playback.share(Some(FrameForm { size, by_scene: false }));
+        let kept = OtherVersion { name, source, frames, size: Some(size), bytes: 0, failed };
+        match &mut self.version {
+            None => {
+                self.begin(kept);
+                playback.share(form);
+            }
+            Some(version) => {
+                if !version.is_kept() {
+                    version.frames.set_limit(left, order);
+                }
+                self.beside.push(AsideVersion { version: kept, form });
+            }
+        }
+    }
+
+    /// Keeps the frames of the cache, and compares with them.
+    pub(crate) fn compare_kept(&mut self, playback: &mut Playback) {
+        let (is_beside, before) = (self.version.is_some(), self.kept);
+        self.keep(playback);
+        if is_beside && self.kept > before {
+            self.compare_with(self.beside.len() - 1, playback);
+        }
+    }
+
+    /// Compares with one of the versions beside, and puts the present one there.
+    fn compare_with(&mut self, index: usize, playback: &mut Playback) {
+        if index >= self.beside.len() {
+            return;
+        }
+        let AsideVersion { mut version, form } = self.beside.remove(index);
+        self.put_beside(playback);
+        if !version.is_kept() {
+            let half = playback.memory_bytes() / 2;
+            version.frames = FrameCache::new(half.saturating_sub(self.kept_bytes()));
+        }
+        self.begin(version);
+        playback.share(form);
+    }
+
+    /// Puts the version that is compared with beside.
+    fn put_beside(&mut self, playback: &Playback) {
+        let Some(mut version) = self.version.take() else { return };
+        if !version.is_kept() {
+            version.frames.clear();
+        }
+        self.beside.push(AsideVersion { version, form: playback.form() });
     }
 
     /// Opens rendered frames, by a file of the sequence or its folder, or another document.
@@ -226,6 +312,8 @@ impl FlipBook {
     /// Closes the flip book.
     pub(crate) fn close(&mut self, playback: &mut Playback) {
         (self.version, self.subject) = (None, None);
+        self.beside.clear();
+        self.kept = 0;
         self.opens = None;
         self.problem = None;
         self.deltas.clear();
@@ -302,7 +390,12 @@ impl FlipBook {
     fn take(&mut self, answer: FlipAnswer, playback: &mut Playback, size: [u32; 2]) {
         match answer {
             FlipAnswer::Opened(Ok(found)) => {
-                let frames = FrameCache::new(playback.memory_bytes() / 2);
+                // What was kept cannot be had again.
+                if self.version.as_ref().is_some_and(OtherVersion::is_kept) {
+                    self.put_beside(playback);
+                }
+                let half = playback.memory_bytes() / 2;
+                let frames = FrameCache::new(half.saturating_sub(self.kept_bytes()));
                 let failed = BTreeMap::new();
                 let (name, source, size) = match found {
                     FoundVersion::Files(FrameFiles { name, paths }) => {
@@ -394,5 +487,85 @@ impl BackgroundJobs for FlipBook {
 
     fn wait(&self) {
         self.worker.wait();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::library::Library;
+
+    fn session() -> Session {
+        Session::new(Arc::new(Library::built_in().clone()), || {})
+    }
+
+    /// Frames that are drawn as rendered ones are, and a flip book against those.
+    fn rendered(session: &Session) -> (Playback, FlipBook) {
+        let form = Some(FrameForm { size: [2, 2], by_scene: true });
+        let playback = Playback::holding(session, &[0, 1, 2], form);
+        let mut flip = FlipBook::new(None, || {});
+        flip.begin(OtherVersion {
+            name: "a.####.png".to_owned(),
+            source: VersionSource::Files(BTreeMap::from([(0, PathBuf::from("a.0000.png"))])),
+            frames: FrameCache::new(playback.memory_bytes() / 2),
+            size: Some([2, 2]),
+            bytes: 0,
+            failed: BTreeMap::new(),
+        });
+        (playback, flip)
+    }
+
+    #[test]
+    fn a_version_is_kept_beside_the_one_that_is_compared_with() {
+        let session = session();
+        let (mut playback, mut flip) = rendered(&session);
+        let form = playback.form();
+        flip.keep(&mut playback);
+        let told = |flip: &FlipBook| -> (String, Vec<String>) {
+            let beside = flip.beside().map(str::to_owned).collect();
+            (flip.name().unwrap_or_default().to_owned(), beside)
+        };
+        let (files, kept) = ("a.####.png".to_owned(), "Kept version".to_owned());
+        assert_eq!(told(&flip), (files.clone(), vec![kept.clone()]));
+        assert_eq!(playback.form(), form, "it goes on with the scene's camera");
+        flip.compare_with(0, &mut playback);
+        assert_eq!(told(&flip), (kept.clone(), vec![files.clone()]));
+        assert_eq!((playback.form(), flip.lacking([0, 3])), (form, 1));
+        // Chosen to be compared with, what is kept stands in front.
+        flip.compare_kept(&mut playback);
+        assert_eq!(told(&flip), ("Kept version 2".to_owned(), vec![files, kept]));
+        assert!(flip.kept_bytes() + playback.cache().bytes() <= playback.memory_bytes());
+        flip.close(&mut playback);
+        assert!(!flip.is_open() && flip.beside().next().is_none() && playback.form().is_none());
+    }
+
+    #[test]
+    fn it_ends_with_its_document() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            path
+        };
+        let scene = r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#;
+        let [one, other] = ["one.json", "other.json"].map(|name| put(name, scene));
+        let shot = put("shot.json", r#"{"chiaro": "shot", "scene": "one.json", "frames": [1, 9]}"#);
+        let look = put("look.json", r#"{"chiaro": "look", "nodes": []}"#);
+        for [before, after] in [[&one, &other], [&one, &shot], [&shot, &one], [&look, &one]] {
+            let mut session = session();
+            session.open(before).unwrap();
+            let mut playback = Playback::holding(&session, &[0, 1], None);
+            let mut flip = FlipBook::new(None, || {});
+            flip.keep(&mut playback);
+            for _ in 0..2 {
+                flip.update(&session, &mut playback, [2, 2]);
+                assert!(flip.is_open(), "{}", before.display());
+            }
+            session.open(after).unwrap();
+            flip.update(&session, &mut playback, [2, 2]);
+            assert!(!flip.is_open() && playback.form().is_none(), "{}", after.display());
+        }
     }
 }

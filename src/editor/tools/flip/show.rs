@@ -55,6 +55,18 @@ impl FlipBook {
                 }
                 FlipView::Wipe => {}
             }
+            let mut chosen = None;
+            for (index, version) in self.beside().enumerate() {
+                let help = tr!("It is there beside the version that is compared with now, and \
+                                that one stays, too");
+                let button = ui.button(tr!("Compare with {version}")).on_hover_text(help);
+                if button.clicked() {
+                    chosen = Some(index);
+                }
+            }
+            if let Some(index) = chosen {
+                self.compare_with(index, playback);
+            }
             if let (Some(mut form), Some(_)) = (playback.form(), session.open_scene()) {
                 let help = tr!(
                     "Draws the frames from the scene's own camera, as chiaro render does, and not \

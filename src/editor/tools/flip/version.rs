@@ -107,6 +107,11 @@ pub(super) struct OtherVersion {
 }
 
 impl OtherVersion {
+    /// True if the frames are there, and nowhere else.
+    pub(super) fn is_kept(&self) -> bool {
+        matches!(self.source, VersionSource::Kept)
+    }
+
     /// True if the version has a frame, whether it is read or not.
     pub(super) fn has(&self, frame: i32) -> bool {
         match &self.source {

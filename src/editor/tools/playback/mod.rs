@@ -186,6 +186,30 @@ impl Playback {
         }
     }
 
+    /// Frames of a timeline of ten frames, which a test has without drawing them.
+    #[cfg(test)]
+    pub(super) fn holding(session: &Session, frames: &[i32], form: Option<FrameForm>) -> Self {
+        let mut playback = Self::new(None);
+        playback.share(form);
+        playback.notice_changes(session, [2, 2], 24.0);
+        let round = order::Round::new([0, 9], order::LoopMode::Loop);
+        let order = PlayOrder { round, step: 0 };
+        for &frame in frames {
+            let color = eframe::egui::Color32::from_gray(frame as u8);
+            let image = Arc::new(ColorImage::filled([2, 2], color));
+            playback.cache.insert(frame, (cache::PictureKey(frame as u128), image, 16), order);
+        }
+        playback.follow(Some(Transport {
+            order,
+            fps: 24.0,
+            wanted_rate: 24.0,
+            pace: PlayPace::RealTime,
+            is_playing: false,
+            is_scrubbed: false,
+        }));
+        playback
+    }
+
     /// True if frames can be drawn.
     pub(crate) fn can_draw(&self) -> bool {
         self.worker.is_some()
@@ -510,19 +534,13 @@ impl PictureTools {
 
 #[cfg(test)]
 mod tests {
-    use super::cache::PictureKey;
-    use super::order::{LoopMode, Round};
     use super::*;
     use crate::document::{Edit, Marker, SceneEdit, Shot, ShotEdit, ShotMarker};
     use crate::library::Library;
 
     /// Frames that are kept after a session was changed, of one that was kept before.
     fn kept_after(session: &mut Session, change: impl FnOnce(&mut Session)) -> usize {
-        let mut playback = Playback::new(None);
-        playback.notice_changes(session, [2, 2], 24.0);
-        let order = PlayOrder { round: Round::new([0, 9], LoopMode::Loop), step: 0 };
-        let image = Arc::new(ColorImage::filled([2, 2], eframe::egui::Color32::RED));
-        playback.cache.insert(0, (PictureKey(1), image, 16), order);
+        let mut playback = Playback::holding(session, &[0], None);
         change(session);
         playback.notice_changes(session, [2, 2], 24.0);
         playback.cache.frames().count()

@@ -121,7 +121,7 @@ fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool
         "The timeline has no frames yet: play it, or press Cache range there"
     ));
     if keep.clicked() {
-        flip.keep(playback);
+        flip.compare_kept(playback);
         return true;
     }
     let help =

@@ -63,7 +63,12 @@ pub(super) fn show(
         if picked.is_empty() {
             let is_any = super::times(session).next().is_some();
             if is_any {
-                hint(ui, tr!("Press a key, or drag a box around keys, to change them."));
+                // Here and not under the pointer, where it would cover tracks.
+                hint(
+                    ui,
+                    tr!("Press a key, or drag a box around keys, to change them. A double click \
+                         on a track adds one; a drag with Alt or the middle button pans."),
+                );
             }
             return;
         }

@@ -86,10 +86,6 @@ pub(super) fn show(
         let time = timeline.snapped(axis.time(pointer.x));
         out.extend(owned.once(owned.keys.add_in_time(index, time)));
     }
-    response.on_hover_text(tr!(
-        "Double-click adds a key; a drag selects keys in a box; with Alt or the middle button it \
-         pans. F brings the selected keys into view."
-    ));
     if is_open {
         graph::show(timeline, ui, owned, (axis, lane), index, out);
         return;

@@ -162,9 +162,8 @@ pub(super) fn ways(
     let has_frames = playback.cache().frames().next().is_some();
     let help =
         tr!("Keeps these frames, to compare later ones with: a flip book, for which the picture \
-             gets buttons");
-    let keep = ui.add_enabled(has_frames, Button::new(tr!("Keep")));
-    keep.widget_info(|| WidgetInfo::labeled(Role::Button, has_frames, tr!("Keep version")));
+             gets buttons. Beside another version that is compared with, where there is one");
+    let keep = ui.add_enabled(has_frames, Button::new(tr!("Keep version")));
     if keep.on_hover_text(help).clicked() {
         flip.keep(playback);
     }
