@@ -259,6 +259,47 @@ fn a_closed_window_goes_on_where_it_was() {
     assert_eq!(offset(&home.window(None)), None);
 }
 
+/// A window whose program renders for a minute, with a look that has a file.
+#[cfg(unix)]
+fn window_of_a_slow_program(home: &Home) -> User {
+    use std::os::unix::fs::PermissionsExt as _;
+    let program = home.file("slow");
+    fs::write(&program, "#!/bin/sh\nexec sleep 60\n").unwrap();
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+    let mut hand = User::with(move |ctx| App::new(ctx, None).rendering_by(&program));
+    hand.app_mut().save_as(&home.file("rim.json"));
+    hand.settle();
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text("Render frames");
+    hand.key(Key::Enter);
+    hand.settle();
+    hand
+}
+
+#[cfg(unix)]
+#[test]
+fn closing_asks_before_it_stops_what_is_rendered() {
+    let home = Home::new();
+    let mut hand = window_of_a_slow_program(&home);
+    let click = |hand: &mut User, label: &str| {
+        let at = hand.place(label).center();
+        hand.click(at);
+    };
+    const ASKED: &str = "Closing stops what is being made";
+    click(&mut hand, "Render 48 frames");
+    assert!(hand.app().is_busy() && !hand.has(ASKED));
+    close(&mut hand);
+    hand.harness.run_steps(3);
+    assert!(hand.has(ASKED) && hand.says("0 of 48 frames of rim.json are whole"));
+    click(&mut hand, "Stay");
+    assert!(hand.app().is_busy() && !hand.has(ASKED));
+    close(&mut hand);
+    hand.harness.run_steps(3);
+    click(&mut hand, "Stop and close");
+    hand.app().wait();
+    assert!(!hand.app().is_busy() && !hand.has(ASKED), "the program has ended");
+}
+
 #[test]
 fn a_named_file_that_has_changed_since_is_opened_as_it_is() {
     let home = Home::new();

@@ -243,13 +243,19 @@ impl App {
         };
         let mut help: Vec<String> =
             self.session.path().map(|path| path.display().to_string()).into_iter().collect();
+        let mut is_any_changed = false;
         for (between, name, is_changed) in self.documents() {
             add(between, colors.dim);
             add(&name, ui.visuals().strong_text_color());
             if is_changed {
                 add(tr!(" changed"), colors.accent);
                 help.push(tr!("{name} has changes that no file holds yet"));
+                is_any_changed = true;
             }
+        }
+        if is_any_changed && self.safety.remembers() && self.session.keeping_problem().is_none() {
+            let text = tr!("Closing the window keeps them: they are offered at the next start");
+            help.push(text.to_owned());
         }
         let label = ui.add(egui::Label::new(job).truncate());
         if !help.is_empty() {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chiaro_locale::tr;
-use eframe::egui::{self, RichText, Ui, ViewportCommand};
+use eframe::egui::{self, RichText, Ui};
 use glam::DQuat;
 
 use super::App;
@@ -434,18 +434,6 @@ impl App {
             });
         if modal.should_close() {
             self.pending = None;
-        }
-    }
-
-    pub(super) fn close_or_stay(&mut self, ctx: &egui::Context) {
-        if self.closes {
-            ctx.send_viewport_cmd(ViewportCommand::Close);
-        } else if ctx.input(|input| input.viewport().close_requested())
-            && (self.session.is_painting_dirty() && !self.session.keeps_painting()
-                || self.session.is_dirty() && !self.session.keeps_work())
-        {
-            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            self.pending = Some(PendingAction::Close);
         }
     }
 }

@@ -4,6 +4,7 @@
 mod appearance;
 mod apply;
 mod bar;
+mod closing;
 mod colors;
 pub(crate) mod dialogs;
 pub(crate) mod dock;
@@ -100,6 +101,8 @@ pub struct App {
     /// identify the gesture that edits.
     presses: u64,
     closes: bool,
+    /// True if the user is asked whether closing is to stop what runs beside the window.
+    asks_to_stop: bool,
     /// True if the last frame was the first one with a picture, where that milestone is reported.
     shows_first_picture: bool,
     /// The look and the painting that the panels were last laid out for.
@@ -154,6 +157,7 @@ impl App {
             refused: None,
             presses: 0,
             closes: false,
+            asks_to_stop: false,
             shows_first_picture: false,
             laid_out_for: None,
             view_before_painting: ViewBefore::default(),
@@ -460,6 +464,7 @@ impl App {
         }
         self.session.refresh_shown_look();
         self.panels(ui, &mut commands);
+        self.ask_to_stop(ui);
         self.ask_about_changes(ui, &mut commands);
         commands.extend(self.bench.painting.ask(ui, &self.session));
         commands.extend(self.sheet.show(ui, &self.session));

@@ -163,6 +163,23 @@ impl FrameRenders {
         self.shows_farm = true;
     }
 
+    /// Frames and jobs that are being made, each in a sentence on what a stop leaves of them.
+    pub(crate) fn going_on(&self) -> Vec<String> {
+        let frames = self.frames.as_ref().filter(|frames| frames.run.is_going_on());
+        let frames = frames.map(|frames| {
+            let [whole, all] = frames.progress.count();
+            let name = frames.document.file_name().unwrap_or_default().to_string_lossy();
+            tr!("{whole} of {all} frames of {name} are whole. They stay, and the next run goes on \
+                 there.")
+        });
+        let job = self.job.as_ref().filter(|job| job.run.is_going_on());
+        let job = job.map(|job| {
+            let name = job.file.file_name().unwrap_or_default().to_string_lossy();
+            tr!("The job {name} is not written yet.")
+        });
+        frames.into_iter().chain(job).collect()
+    }
+
     /// Asks the program to stop rendering.
     pub(crate) fn stop(&self) {
         self.runs().for_each(ProgramRun::stop);

@@ -135,6 +135,12 @@ impl Wedge {
         self.drawn.draw(session, program);
     }
 
+    /// Sentence on what a stop leaves of a wedge that is being drawn.
+    pub(crate) fn going_on(&self) -> Option<String> {
+        let run = self.drawn.run().filter(|run| run.is_going_on());
+        run.map(|_| tr!("A wedge is being drawn, and has no sheet yet.").to_owned())
+    }
+
     /// Asks the program to stop drawing.
     pub(crate) fn stop(&self) {
         self.drawn.run().into_iter().for_each(ProgramRun::stop);
