@@ -16,6 +16,7 @@ mod floors;
 mod interp_lanes;
 mod judges;
 mod math;
+mod messages;
 mod scan;
 mod techniques;
 mod texts;

@@ -248,12 +248,12 @@ fn refuse_surroundings(host: &HostText) -> Result<(), Diagnostic> {
         (
             "object_axes",
             text!(
-                "the package unreal carries no looks yet that have lights or keys that turn with \
-                 the object"
+                "the package unreal carries no looks that have lights or keys that turn with the \
+                 object yet"
             ),
         ),
-        ("object_id", text!("the package unreal carries no looks yet that tell objects apart")),
-        ("frame", text!("the package unreal carries no looks yet that count frames")),
+        ("object_id", text!("the package unreal carries no looks that tell objects apart yet")),
+        ("frame", text!("the package unreal carries no looks that count frames yet")),
     ] {
         if host.reads.contains(member) {
             let help = tr!("use another frame or driver, or export `--to unity`, `godot` or `web`");
