@@ -564,7 +564,7 @@ mod tests {
     fn a_key_that_is_added_bends_nothing() {
         let folder = tempfile::tempdir().unwrap();
         let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#);
+        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
         put(
             "shot.json",
             r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
@@ -594,7 +594,7 @@ mod tests {
     fn all_that_a_shot_changes_is_keyed_and_reset_at_once() {
         let folder = tempfile::tempdir().unwrap();
         let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#);
+        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
         put(
             "shot.json",
             r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
