@@ -3,7 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, Value};
+use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, ShotEdit, Value};
+use chiaro::editor::App;
 use chiaro::frame::{Assets, open};
 use eframe::egui::{Key, Modifiers, Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -126,6 +127,63 @@ fn a_shot_is_begun_over_the_open_scene() {
     command(&mut hand, "New shot");
     assert_eq!((shot(&hand).scene.as_str(), shot(&hand).frames), ("sh010.json", None));
     assert_eq!((intensity(&hand), hand.app().session().shot().unwrap().has_file()), (2.0, false));
+}
+
+/// Frames that the timeline plays, as its fields tell.
+fn range(hand: &User) -> [f64; 2] {
+    ["Range from", "Range to"].map(|label| {
+        let field = hand.harness.get_by_role_and_label(Role::SpinButton, label);
+        let number = || Some(field.accesskit_node().numeric_value()?.to_string());
+        field.value().or_else(number).unwrap().parse().unwrap()
+    })
+}
+
+#[test]
+fn restored_work_brings_the_frames_that_are_played() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    set_intensity(&mut hand, 2.0);
+    hand.app().session().wait_for_journal();
+    let later = home.after_a_crash();
+    write(&later, &FILES);
+    write(&later, &[("short.json", &SHOT.replace("[0, 48]", "[1, 12]"))]);
+    let mut again = later.window(Some(&later.file("short.json")));
+    again.settle();
+    again.press("View");
+    again.press_a(Role::CheckBox, "Timeline");
+    again.key(Key::Escape);
+    again.settle();
+    assert_eq!(range(&again), [1.0, 12.0]);
+    again.press("Restore it");
+    assert_eq!((intensity(&again), range(&again)), (2.0, [0.0, 48.0]));
+}
+
+#[test]
+fn a_new_shot_is_saved_under_its_own_name() {
+    let home = Home::new();
+    write(&home, &FILES);
+    let (places, scene) = (home.places(), home.file("scene.json"));
+    let mut hand = User::with(move |ctx| {
+        let mut app = App::new(ctx, None).with_path_fields();
+        app.keep_in(places.clone(), ctx);
+        app.open(&scene);
+        app
+    });
+    hand.settle();
+    command(&mut hand, "New shot");
+    let offered = |hand: &mut User| -> PathBuf {
+        save(hand);
+        let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path");
+        let path = field.value().unwrap().into();
+        hand.key(Key::Escape);
+        hand.settle();
+        path
+    };
+    assert_eq!(offered(&mut hand), home.file("shot.json"));
+    let named = ShotEdit::SetShotName { name: "SH 010".to_owned() };
+    hand.app_mut().session_mut().apply_to_shot(named, None).unwrap();
+    hand.settle();
+    assert_eq!(offered(&mut hand), home.file("sh-010.json"));
 }
 
 #[test]

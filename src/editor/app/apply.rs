@@ -19,6 +19,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, Projection, Target, Value};
 use crate::files::relative;
 use crate::ids::NodePath;
+use crate::panels::curves::timeline::Timeline;
 use crate::state::paths::absolute;
 use crate::state::revision::GestureId;
 use crate::state::scene::{OpenScene, turned_around};
@@ -164,6 +165,12 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.set_time(time),
+            Command::Timeline(command) => {
+                self.start = None;
+                self.dock.open(PanelId::TIMELINE);
+                self.bench.memory.of::<Timeline>().ask(command);
+                ui.ctx().request_repaint();
+            }
             Command::TakeCell(cell, scope) => {
                 let mut told = None;
                 self.tell(|session| {

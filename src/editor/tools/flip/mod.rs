@@ -549,7 +549,7 @@ mod tests {
             std::fs::write(&path, text).unwrap();
             path
         };
-        let scene = r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#;
+        let scene = r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#;
         let [one, other] = ["one.json", "other.json"].map(|name| put(name, scene));
         let shot = put("shot.json", r#"{"chiaro": "shot", "scene": "one.json", "frames": [1, 9]}"#);
         let look = put("look.json", r#"{"chiaro": "look", "nodes": []}"#);
