@@ -14,7 +14,7 @@ use crate::document::{
     ShotEdit, Target, Value, keyed_target,
 };
 use crate::files::journal::{JournalSlot, RecoveredWork};
-use crate::film::{color_space, color_text};
+use crate::film::{color_space, color_text, value_before};
 use crate::frame::{Assets, ResolvedShot, SetupLook, ValueChange};
 use crate::state::document::journal::VIEW;
 use crate::state::keying::Owner;
@@ -421,16 +421,16 @@ impl Session {
         shot.resolved().change_of(look.as_deref(), target)
     }
 
-    /// The color space of a look, by its path as changes tell it; for values of the scene, that of
-    /// the open look, as the fields of lights have it.
-    fn color_space_at(&self, look: Option<&str>) -> ColorSpace {
+    /// A look by its path as changes tell it; for values of the scene the open look, whose colors
+    /// the fields of lights have.
+    fn look_at(&self, look: Option<&str>) -> &Look {
         let closed = look.zip(self.open_scene()).and_then(|(path, open_scene)| {
             let is_it = |look: &&Arc<SetupLook>| {
                 ResolvedShot::name_of_look(Path::new(look.source.file())) == path
             };
-            open_scene.other_looks().find(is_it).map(|look| look.look.color_space)
+            open_scene.other_looks().find(is_it).map(|look| &look.look)
         });
-        closed.unwrap_or(self.look().color_space)
+        closed.unwrap_or(self.look())
     }
 
     /// Saves the shot to a file, which is its own from then on.
@@ -488,11 +488,12 @@ fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
 /// The value before a change and the one after it, in words: colors as fields have them, keys with
 /// their frames.
 pub(crate) fn change_text(session: &Session, change: &ValueChange) -> (String, String) {
-    let space = color_space(change, session.color_space_at(change.look.as_deref()));
-    let told = |json| keys_text(json, space).unwrap_or_else(|| colored_text(json, space));
-    let from = match &change.from {
+    let look = session.look_at(change.look.as_deref());
+    let space = color_space(change, look.color_space);
+    let told = |json: &Json| keys_text(json, space).unwrap_or_else(|| colored_text(json, space));
+    let from = match value_before(change, look, &session.project.library) {
         Json::Null => tr!("default").to_owned(),
-        from => told(from),
+        from => told(&from),
     };
     (from, told(&change.to))
 }
