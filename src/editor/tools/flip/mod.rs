@@ -169,6 +169,13 @@ impl FlipBook {
         self.version.as_ref().map(|version| version.name.as_str())
     }
 
+    /// Name of rendered frames or of a document that are compared with, which frames that are kept
+    /// would take the place of.
+    pub(crate) fn replaced_by_keeping(&self) -> Option<&str> {
+        let version = self.version.as_ref()?;
+        (!matches!(version.source, VersionSource::Kept)).then_some(version.name.as_str())
+    }
+
     /// Differences of the frames that were compared.
     pub(crate) fn deltas(&self) -> impl Iterator<Item = (i32, DeltaKind)> {
         self.deltas.iter().map(|(frame, delta)| (*frame, delta.kind))
@@ -394,5 +401,28 @@ impl BackgroundJobs for FlipBook {
 
     fn wait(&self) {
         self.worker.wait();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rendered_frames_are_not_replaced_by_kept_ones_unasked() {
+        let mut flip = FlipBook::new(None, || {});
+        assert_eq!(flip.replaced_by_keeping(), None);
+        let version = |source| OtherVersion {
+            name: "v001/####.exr".to_owned(),
+            source,
+            frames: FrameCache::new(0),
+            size: None,
+            bytes: 0,
+            failed: BTreeMap::new(),
+        };
+        flip.begin(version(VersionSource::Files(BTreeMap::new())));
+        assert_eq!(flip.replaced_by_keeping(), Some("v001/####.exr"));
+        flip.begin(version(VersionSource::Kept));
+        assert_eq!(flip.replaced_by_keeping(), None, "a later version may take its place");
     }
 }

@@ -163,9 +163,14 @@ pub(super) fn ways(
     let help =
         tr!("Keeps these frames, to compare later ones with: a flip book, for which the picture \
              gets buttons");
-    let keep = ui.add_enabled(has_frames, Button::new(tr!("Keep")));
-    keep.widget_info(|| WidgetInfo::labeled(Role::Button, has_frames, tr!("Keep version")));
-    if keep.on_hover_text(help).clicked() {
+    let compared = flip.replaced_by_keeping().map(|name| {
+        tr!("{name} is compared with: close its flip book first, or choose Frames kept now there")
+    });
+    let can_keep = has_frames && compared.is_none();
+    let keep = ui.add_enabled(can_keep, Button::new(tr!("Keep")));
+    keep.widget_info(|| WidgetInfo::labeled(Role::Button, can_keep, tr!("Keep version")));
+    let why_not = compared.as_deref().unwrap_or(help);
+    if keep.on_hover_text(help).on_disabled_hover_text(why_not).clicked() {
         flip.keep(playback);
     }
 }
