@@ -305,11 +305,13 @@ fn a_cell_is_taken_from_the_picture_of_its_sheet() {
         if hand.has(name) { name } else { "Cell 2: sun.intensity = 3, layer.opacity = 0.25" };
     let [first, second] = [hand.place("Cell 1: sun.intensity = 1.5"), hand.place(name)];
     assert!(first.right() < second.left() && (first.height() - second.height()).abs() < 0.1);
+    assert!(!hand.has("Node canvas"), "the sheet is shown in place of the graph");
     let opacity = |hand: &User| hand.look().graph.nodes["layer"].values["opacity"].clone();
     let before = (intensity(&hand), opacity(&hand));
     hand.click(second.center());
     hand.settle();
     assert_eq!((intensity(&hand), opacity(&hand)), (3.0, Value::Number(0.25)));
+    assert!(hand.says("Set: "), "the status line tells what was set");
     // Look and scene were changed at once, and are at once as before.
     assert_eq!(hand.steps(), 1);
     assert_eq!(hand.app().session().steps().labels().count(), 1);
@@ -321,6 +323,10 @@ fn a_cell_is_taken_from_the_picture_of_its_sheet() {
     assert_eq!(hand.steps(), 1);
     hand.undo();
     assert_eq!((intensity(&hand), opacity(&hand)), before);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(hand.has("Node canvas"));
+    assert!(hand.place(name).width() < second.width(), "small, in the panel");
     // Without its picture, the list is there.
     std::fs::remove_file(home.file("wedge.png")).unwrap();
     hand.app_mut().open(&home.file("wedge.json"));

@@ -78,15 +78,7 @@ impl App {
 
     /// Carries out a command.
     pub(super) fn carry_out(&mut self, ui: &Ui, command: Command) {
-        // What is asked of the graph is to be seen there.
-        if let Command::Graph(_)
-        | Command::Reveal(_)
-        | Command::Show(_)
-        | Command::OpenGraph(_)
-        | Command::ShowPanel(PanelId::GRAPH) = command
-        {
-            self.bench.wedge.enlarge(false);
-        }
+        self.uncover_graph(&command);
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
@@ -171,14 +163,7 @@ impl App {
                 self.bench.memory.of::<Timeline>().ask(command);
                 ui.ctx().request_repaint();
             }
-            Command::TakeCell(cell, scope) => {
-                let mut told = None;
-                self.tell(|session| {
-                    told = Some(session.take_cell(&cell, scope)?);
-                    Ok(())
-                });
-                self.message = told.or(self.message.take());
-            }
+            Command::TakeCell(cell, scope) => self.take_cell(&cell, scope),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
                 self.start = None;
