@@ -3,8 +3,8 @@
 
 use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
-    Align, Button, ComboBox, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea,
-    Sense, TextEdit, Ui, WidgetInfo,
+    Align, Button, ComboBox, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense, TextEdit,
+    Ui, WidgetInfo,
 };
 
 use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand};
@@ -16,6 +16,7 @@ use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
 use crate::state::shot::{OpenShot, ShotAddress};
+use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
@@ -139,7 +140,7 @@ fn frames(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command
         for (frame, name, is_first) in
             [(&mut first, tr!("First frame"), true), (&mut last, tr!("Last frame"), false)]
         {
-            let response = ui.add(DragValue::new(frame).speed(0.2));
+            let response = ui.add(number_field(ui, frame).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             if response.changed() {
                 let frames = if is_first {
@@ -248,7 +249,7 @@ fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
             return;
         };
         for (index, name) in [tr!("Width"), tr!("Height")].into_iter().enumerate() {
-            let drag = DragValue::new(&mut size[index]).range(1..=32_768).speed(2.0);
+            let drag = number_field(ui, &mut size[index]).range(1..=32_768).speed(2.0);
             let response = ui.add(drag);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             if response.changed() {

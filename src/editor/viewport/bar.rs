@@ -22,6 +22,7 @@ use crate::state::wire::Style;
 use crate::tools::probe::wire_name;
 use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
+use crate::widgets::number::number_slider;
 use crate::widgets::theme;
 
 /// Least width of a bar that tells the number of a scene's objects, in points.
@@ -160,7 +161,7 @@ impl Viewport {
                 "Shows the picture brighter or darker, in stops; for this window only, the look \
                  stays as it is"
             );
-            let slider = egui::Slider::new(&mut self.exposure, range).max_decimals(2).step_by(0.05);
+            let slider = number_slider(ui, &mut self.exposure, range).max_decimals(2).step_by(0.05);
             ui.add(slider).labelled_by(label.id).on_hover_text(help);
             if self.exposure != 0.0 && ui.small_button("0").on_hover_text(tr!("As it is")).clicked()
             {
@@ -187,7 +188,7 @@ impl Viewport {
         if reference.place == ReferencePlacement::Over {
             ui.horizontal(|ui| {
                 let label = ui.label(tr!("Opacity of the image"));
-                ui.add(egui::Slider::new(&mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
+                ui.add(number_slider(ui, &mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
             });
         }
         if is_over {

@@ -1,9 +1,7 @@
 //! Choices of frames: which, where, how large, and with which layers.
 
 use chiaro_locale::tr;
-use eframe::egui::{
-    self, Button, CollapsingHeader, DragValue, RichText, Role, TextEdit, Ui, WidgetInfo,
-};
+use eframe::egui::{self, Button, CollapsingHeader, RichText, Role, TextEdit, Ui, WidgetInfo};
 
 use super::document::named_passes;
 use super::outputs::OutputMenu;
@@ -15,6 +13,7 @@ use crate::state::reading::spoken;
 use crate::state::runs::{
     CONTRIBUTIONS, FilmDocument, FrameChoices, LayerOption, MATTES, SampleDepth,
 };
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 /// Size that is offered where the document says none, in pixels.
@@ -66,7 +65,7 @@ fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         for (frame, name) in
             [(&mut first, tr!("Render from frame")), (&mut last, tr!("Render to frame"))]
         {
-            let response = ui.add(DragValue::new(frame).speed(0.2));
+            let response = ui.add(number_field(ui, frame).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             response.on_hover_text(name);
         }
@@ -74,7 +73,7 @@ fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
             choices.frames = Some([first, last]);
         }
         let drag =
-            DragValue::new(&mut choices.step).range(1..=1000).speed(0.1).prefix(tr!("every "));
+            number_field(ui, &mut choices.step).range(1..=1000).speed(0.1).prefix(tr!("every "));
         let response = ui.add(drag);
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Step of frames")));
         response.on_hover_text(tr!("1 for every frame, 2 for every second one"));
@@ -136,7 +135,7 @@ fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         };
         let mut size = choices.size.unwrap_or(own);
         for (side, name) in size.iter_mut().zip([tr!("Width of frames"), tr!("Height of frames")]) {
-            let response = ui.add(DragValue::new(side).range(1..=32_768).speed(2.0));
+            let response = ui.add(number_field(ui, side).range(1..=32_768).speed(2.0));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             response.on_hover_text(name);
         }

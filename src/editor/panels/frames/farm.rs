@@ -1,7 +1,7 @@
 //! Job of a farm: the farm, how its tasks are cut, and the file that is written.
 
 use chiaro_locale::{tr, trn};
-use eframe::egui::{Align, Button, DragValue, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Align, Button, RichText, Role, Ui, WidgetInfo};
 
 use super::{FrameRenders, JobRun, command_text, view_of};
 use crate::commands::{Command, FilmCommand};
@@ -9,6 +9,7 @@ use crate::fields::row::labelled;
 use crate::film::farm::{FARMS, Farm};
 use crate::panels::table::PanelContext;
 use crate::state::runs::{FilmDocument, RunEnd};
+use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
@@ -45,7 +46,7 @@ impl FrameRenders {
         });
         let count = self.choices.list(document).map_or(0, |list| list.frames().len());
         labelled(ui, tr!("Frames a task"), tr!("Greatest number of frames of a task"), |ui, _| {
-            let drag = DragValue::new(&mut self.farm.chunk).range(1..=100_000).speed(0.2);
+            let drag = number_field(ui, &mut self.farm.chunk).range(1..=100_000).speed(0.2);
             let response = ui.add(drag);
             response
                 .widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frames a task")));

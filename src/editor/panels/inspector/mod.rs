@@ -5,7 +5,7 @@ mod roughness;
 
 use chiaro_locale::{Text, text, tr, tr_in, trn};
 use eframe::egui;
-use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use crate::catalog::{NodeKind, Port};
 use crate::commands::{Command, PanelId};
@@ -22,6 +22,7 @@ use crate::state::reading::{tier_label, tier_word};
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
+use crate::widgets::number::number_field;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::{formed, in_lines};
 use crate::widgets::theme;
@@ -557,8 +558,11 @@ fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
             true => tr!(" step"),
             false => tr!(" steps"),
         };
-        let field =
-            DragValue::new(&mut steps).range(0.0..=STEPS).speed(0.05).max_decimals(2).suffix(unit);
+        let field = number_field(ui, &mut steps)
+            .range(0.0..=STEPS)
+            .speed(0.05)
+            .max_decimals(2)
+            .suffix(unit);
         let response = ui.add(field).labelled_by(label).on_hover_text(help);
         if response.changed() {
             let max_error = (steps / STEPS).clamp(0.0, 1.0);

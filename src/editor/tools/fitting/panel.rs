@@ -3,8 +3,7 @@
 use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{
-    Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
-    vec2,
+    Button, Color32, ProgressBar, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2,
 };
 
 use super::fit::FitOutcome;
@@ -16,6 +15,7 @@ use crate::ids::NodePath;
 use crate::state::problem_text::sentence;
 use crate::state::reading::LookWithLibrary;
 use crate::state::session::Session;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
@@ -128,7 +128,7 @@ impl FitTool {
             );
             let label = ui.label(tr!("Keep the rest")).on_hover_text(help);
             let mut percent = self.how.keep_rest * 100.0;
-            let slider = Slider::new(&mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
+            let slider = number_slider(ui, &mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
             if ui.add(slider).labelled_by(label.id).on_hover_text(help).changed() {
                 self.how.keep_rest = percent / 100.0;
             }
@@ -230,7 +230,7 @@ impl FitTool {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Layers(self.how.layers))));
             }
             let label = ui.label(tr!("at most"));
-            ui.add(DragValue::new(&mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
+            ui.add(number_field(ui, &mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
                 .labelled_by(label.id);
         });
     }

@@ -8,8 +8,8 @@ use std::collections::VecDeque;
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Color32, CursorIcon, DragValue, Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Shape,
-    Stroke, Ui, WidgetInfo,
+    Color32, CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Shape, Stroke, Ui,
+    WidgetInfo,
 };
 use glam::DVec2;
 
@@ -22,6 +22,7 @@ use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 use project::MaskStroke;
 pub(crate) use work::laying;
@@ -171,11 +172,9 @@ impl MaskTool {
         if self.worker.owes() {
             return;
         }
-        let (Some(file), Some((_, laying)), Some(change)) = (
-            session.mask_file(layer),
-            painted_of(session.look(), layer),
-            self.waiting.pop_front(),
-        ) else {
+        let (Some(file), Some((_, laying)), Some(change)) =
+            (session.mask_file(layer), painted_of(session.look(), layer), self.waiting.pop_front())
+        else {
             return;
         };
         let size = picture_size(rect, ui.pixels_per_point());
@@ -256,7 +255,7 @@ impl MaskTool {
         ];
         for (value, [label, name], suffix, range, help) in numbers {
             ui.label(label);
-            let drag = DragValue::new(value).range(range).max_decimals(0).suffix(suffix);
+            let drag = number_field(ui, value).range(range).max_decimals(0).suffix(suffix);
             let response = ui.add(drag).on_hover_text(help);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
         }
