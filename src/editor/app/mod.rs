@@ -420,6 +420,7 @@ impl App {
         if self.start.is_none() && !self.bench.wedge.is_large() {
             self.bench.canvas.claim_tab(ui);
         }
+        self.sheet.keep_early(ui);
         self.shortcuts(ui, &mut commands);
         let typed_in = keyboard::text_field(ui.ctx()).filter(|_| !commands.is_empty());
         // A field that waits for its end takes its text before Ctrl+S or another key of the window
