@@ -16,7 +16,7 @@ enum KeyboardOwner {
 }
 
 fn escape_id() -> egui::Id {
-    egui::Id::unique("Escape was pressed as the frame began")
+    egui::Id::unique("Escape was pressed as the last frame and this one began")
 }
 
 fn owner_id() -> egui::Id {
@@ -37,14 +37,16 @@ pub(crate) fn begin_frame(ctx: &egui::Context) {
     let is_escape = ctx.input(|input| input.key_pressed(Key::Escape));
     ctx.data_mut(|data| {
         data.insert_temp(owner_id(), owner);
-        data.insert_temp(escape_id(), is_escape);
+        let [_, last] = data.get_temp::<[bool; 2]>(escape_id()).unwrap_or_default();
+        data.insert_temp(escape_id(), [last, is_escape]);
     });
 }
 
-/// True if Escape was pressed in this frame, even where others have taken that press since: a field
-/// loses the keyboard before anything is shown, and its text is to be given up all the same.
+/// True if Escape was pressed in this frame or the last, even where others have taken that press
+/// since. A field loses the keyboard before anything is shown, is told so in both frames, and its
+/// text is to be given up all the same.
 pub(crate) fn is_escape_pressed(ctx: &egui::Context) -> bool {
-    ctx.data(|data| data.get_temp(escape_id())).unwrap_or_default()
+    ctx.data(|data| data.get_temp::<[bool; 2]>(escape_id())).unwrap_or_default().contains(&true)
         || ctx.input(|input| input.key_pressed(Key::Escape))
 }
 

@@ -18,6 +18,7 @@ use crate::state::session::shot::change_text;
 use crate::state::shot::{OpenShot, ShotAddress};
 use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
@@ -76,7 +77,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         let mut name = shot.shot().name.clone();
         let field = TextEdit::singleline(&mut name).desired_width(f32::INFINITY);
         let response = ui.add(field).labelled_by(label);
-        if response.changed() {
+        if is_typed(ui, &response, &mut name) {
             push(out, ShotCommand::EditHeld(response.id, ShotEdit::SetShotName { name }));
         }
     });

@@ -14,6 +14,7 @@ use crate::state::runs::{
     CONTRIBUTIONS, FilmDocument, FrameChoices, LayerOption, MATTES, SampleDepth,
 };
 use crate::widgets::number::number_field;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 /// Size that is offered where the document says none, in pixels.
@@ -95,7 +96,8 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
     labelled(ui, tr!("Folder"), help, |ui, label| {
         let width = (ui.available_width() - 34.0).max(64.0);
         let field = TextEdit::singleline(&mut choices.folder).desired_width(width);
-        ui.add(field).labelled_by(label);
+        let response = ui.add(field).labelled_by(label);
+        is_typed(ui, &response, &mut choices.folder);
         let choose = ui.small_button("...").on_hover_text(tr!("Chooses the folder"));
         choose.widget_info(|| {
             WidgetInfo::labeled(Role::Button, true, tr!("Choose the folder of the frames"))
@@ -108,7 +110,8 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
     several(ui, tr!("Name"), help, |ui, label| {
         let width = (ui.available_width() - 92.0).max(64.0);
         let field = TextEdit::singleline(&mut choices.name).desired_width(width);
-        ui.add(field).labelled_by(label);
+        let response = ui.add(field).labelled_by(label);
+        is_typed(ui, &response, &mut choices.name);
         ui.spacing_mut().item_spacing.x = 2.0;
         for (ending, text, help) in [
             ("exr", "EXR", tr!("Light, with layers and mattes, for a compositor")),

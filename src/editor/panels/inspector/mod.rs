@@ -24,6 +24,7 @@ use crate::state::wire::{ShownWire, Style};
 use crate::values;
 use crate::widgets::number::number_field;
 use crate::widgets::spots::{self, Spot};
+use crate::widgets::text::is_typed;
 use crate::widgets::text::{formed, in_lines};
 use crate::widgets::theme;
 
@@ -242,7 +243,7 @@ fn name_row(
                 .desired_width(f32::INFINITY)
                 .char_limit(80);
             let response = ui.add(edit).labelled_by(label);
-            if response.changed() {
+            if is_typed(ui, &response, &mut name) {
                 let edit = Edit::SetName {
                     graph: session.selection.graph_id().clone(),
                     id: (*id).clone(),
@@ -592,7 +593,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let mut name = look.name.clone();
         let response =
             ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
-        if response.changed() {
+        if is_typed(ui, &response, &mut name) {
             out.push(Command::EditHeld(response.id, Edit::SetLookName { name }));
         }
     });
@@ -620,7 +621,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             let field =
                 TextEdit::singleline(&mut tags).desired_width(f32::INFINITY).char_limit(200);
             let response = ui.add(field).labelled_by(label);
-            if response.changed() {
+            if is_typed(ui, &response, &mut tags) {
                 out.push(Command::EditHeld(response.id, Edit::SetLookTags { tags }));
             }
         },

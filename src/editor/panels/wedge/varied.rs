@@ -24,6 +24,7 @@ use crate::state::wedge::free_sheet;
 use crate::widgets::color;
 use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 /// Folder of sheets, beside the document.
@@ -296,6 +297,7 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
             let target = varied.target.clone();
             let width = (ui.available_width() - 30.0).max(60.0);
             let field = ui.add(TextEdit::singleline(&mut varied.target).desired_width(width));
+            is_typed(ui, &field, &mut varied.target);
             field.widget_info(|| {
                 WidgetInfo::labeled(
                     Role::TextInput,
