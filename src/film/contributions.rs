@@ -22,14 +22,17 @@ pub enum Contributions {
     Groups,
     /// By light, and of each light by layer.
     LightsByLayer,
+    /// By group of lights, and of each group by layer.
+    GroupsByLayer,
 }
 
 /// Words of the slices, for people.
-const SLICES: [(&str, Contributions); 4] = [
+const SLICES: [(&str, Contributions); 5] = [
     ("layers", Contributions::Layers),
     ("lights", Contributions::Lights),
     ("groups", Contributions::Groups),
     ("lights-by-layer", Contributions::LightsByLayer),
+    ("groups-by-layer", Contributions::GroupsByLayer),
 ];
 
 /// Names for what comes of no light, of lights that cannot be told apart, and of lights that are
@@ -76,6 +79,7 @@ impl Contributions {
             Self::Lights => naming.of_light(light),
             Self::LightsByLayer => naming.of_light(&format!("{light}_{layer}")),
             Self::Groups => naming.of_group(groups.of(lights)),
+            Self::GroupsByLayer => naming.of_group(&format!("{}_{layer}", groups.of(lights))),
         }
     }
 }

@@ -166,6 +166,45 @@ fn contributions_of_layers_and_lights_are_the_picture() {
 }
 
 #[test]
+fn groups_of_lights_are_told_apart_within_each_layer() {
+    let folder = RenderFolder::with_scene();
+    let path = folder.path("look.json");
+    let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    // A second layer of the back, by a lamp of its own.
+    look["lights"]["kick"] = json!({"direction": [-0.8, -0.2, 0.1], "groups": ["back"]});
+    let values = json!({"light": "kick", "blend": "alpha", "convex": [0.4, 0.1, 0.1, 0.6]});
+    let kick = json!({"id": "kick", "kind": "light_layer", "name": "KICK", "values": values});
+    look["nodes"].as_array_mut().unwrap().push(kick);
+    look["wires"][2]["to"] = json!("kick.below");
+    let last = json!({"from": "kick.below", "to": "output.color"});
+    look["wires"].as_array_mut().unwrap().push(last);
+    fs::write(&path, look.to_string()).unwrap();
+    let asked = ["--on", "reference", "--size", "24x20", "--aov", "groups-by-layer"];
+    let drawn = folder.layers(&folder.path("scene.json"), &asked);
+    let names: Vec<_> = drawn.names().into_iter().filter(|name| name.ends_with(".R")).collect();
+    let expected = [
+        "beauty.R",
+        "group_back_KICK.R",
+        "group_back_RIM.R",
+        "group_front_KEY.R",
+        "group_unlit_Base.R",
+    ];
+    assert_eq!(names, expected);
+    for layer in &expected[1..] {
+        assert!(drawn.channel(layer).iter().any(|red| *red > 0.02), "{layer} shows something");
+    }
+    assert!(drawn.worst_sum("group_", "beauty") <= 1.0);
+    // What a group adds within its layers is what it adds.
+    let groups =
+        folder.layers(&folder.path("scene.json"), &[&asked[..], &["--aov", "groups"]].concat());
+    assert!(groups.worst_sum("group_back_", "group_back") <= 1.0);
+    let listed = folder.run(&folder.path("scene.json"), &["--list-aovs"]);
+    let listed = String::from_utf8(listed.stdout).unwrap();
+    let row = listed.lines().find(|line| line.starts_with("  --aov groups-by-layer  "));
+    assert!(row.is_some_and(|row| row.contains("group_back_KICK")), "{listed}");
+}
+
+#[test]
 fn contributions_of_examples_add_up() {
     // Clamps, modes of both kinds of blends, lights in a group that runs for each, a limit.
     for look in ["figure6-comics", "lights-summed", "hatching", "room-walls"] {

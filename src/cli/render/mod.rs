@@ -109,8 +109,9 @@ pub(super) struct Arguments {
     compression: LosslessCompression,
     /// A layer of an EXR beside the picture: `NAME=NODE.OUTPUT` for an output of a node (of one
     /// look alone `NAME=LOOK:NODE.OUTPUT`), `NAME` for one that looks name, `named` for all of
-    /// those, `shadows` for those of each light, or `layers`, `lights`, `groups` or
-    /// `lights-by-layer` for what each of them adds to the picture; may be given several times
+    /// those, `shadows` for those of each light, or `layers`, `lights`, `groups`,
+    /// `lights-by-layer` or `groups-by-layer` for what each of them adds to the picture; may be
+    /// given several times
     #[arg(long = "aov", value_name = "NAME=NODE.OUTPUT")]
     aovs: Vec<String>,
     /// Lists the outputs that --aov can name, and ends

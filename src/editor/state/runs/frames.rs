@@ -11,11 +11,12 @@ use crate::ids::make_slug;
 use crate::state::display::DisplayChoice;
 
 /// Words of `--aov` for parts of the picture, with what they are.
-pub(crate) const CONTRIBUTIONS: [(&str, Text); 6] = [
+pub(crate) const CONTRIBUTIONS: [(&str, Text); 7] = [
     ("layers", text!("What each layer of the looks adds to the picture")),
     ("lights", text!("What each light adds: graded by itself in the compositor")),
     ("groups", text!("What each group of lights adds")),
     ("lights-by-layer", text!("What each light adds within each layer")),
+    ("groups-by-layer", text!("What each group of lights adds within each layer")),
     ("shadows", text!("The shadows of each light")),
     ("named", text!("All outputs that looks name as passes")),
 ];
