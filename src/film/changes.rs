@@ -3,7 +3,7 @@
 use serde_json::Value as Json;
 
 use crate::catalog::values;
-use crate::document::{ColorSpace, linear_to_srgb, parse_hex};
+use crate::document::{ColorSpace, linear_to_srgb, read_hex};
 use crate::frame::ValueChange;
 
 /// Ends of the names of fields that hold colors.
@@ -25,7 +25,7 @@ pub fn color_space(change: &ValueChange, space: ColorSpace) -> Option<ColorSpace
 
 /// True for a color in hexadecimal.
 pub fn is_hex(value: &Json) -> bool {
-    value.as_str().and_then(parse_hex).is_some()
+    value.as_str().and_then(read_hex).is_some()
 }
 
 /// A color as the window's fields have it, `#ff8000`; `None` for what no screen shows.
