@@ -521,7 +521,8 @@ fn files_that_change_while_frames_are_drawn_of_them_are_told() {
     let ran = child.wait_with_output().unwrap();
     let said = String::from_utf8(ran.stderr).unwrap();
     assert_eq!(ran.status.code(), Some(1), "{said}");
-    let reason = said.lines().find(|line| line.starts_with("error[files-changed]")).unwrap();
+    let reason = said.lines().last().unwrap();
+    assert!(reason.starts_with("error[files-changed]"), "the reason is the last line: {said}");
     assert!(reason.contains("look.json (all frames are of it as it was)"), "{reason}");
     assert!(reason.contains("mesh.obj (gone; all frames"), "{reason}");
     // Nothing is lost, and nothing old is kept.
