@@ -1,4 +1,4 @@
-//! Files that a picture of a document is made of, and what becomes of them while pictures are drawn.
+//! Files that a picture of a document is made of, and their changes while pictures are drawn.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};

@@ -322,8 +322,8 @@ impl LookGrade {
     fn warning(&self, layer: &str, is_one: bool) -> Diagnostic {
         let Self { look, node, table } = self;
         let message = format!(
-            "`{node}` changes the sum of the layers of `{look}` and cannot be parted: contributions \
-             add up to what goes into it"
+            "`{node}` changes the sum of the layers of `{look}` and cannot be parted: \
+             contributions add up to what goes into it"
         );
         let hint = match table {
             Ok(_) if is_one => format!(
