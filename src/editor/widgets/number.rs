@@ -11,6 +11,12 @@ use eframe::egui::{DragValue, Slider, SliderClamping, Ui};
 
 use super::rows;
 
+/// Text of a number, within a range of decimals.
+type NumberWriter<'a> = Box<dyn Fn(f64, RangeInclusive<usize>) -> String + 'a>;
+
+/// Number that a text says.
+type NumberReader<'a> = Box<dyn Fn(&str) -> Option<f64> + 'a>;
+
 /// Field for a number: dragged, or clicked and typed.
 pub(crate) fn number_field<'a, N: Numeric>(ui: &Ui, number: &'a mut N) -> DragValue<'a> {
     number_field_as(ui, number, format_with_decimals_in_range, read)
@@ -48,7 +54,7 @@ fn form<'a>(
     ui: &Ui,
     write: impl Fn(f64, RangeInclusive<usize>) -> String + 'a,
     read: impl Fn(&str) -> Option<f64> + 'a,
-) -> (impl Fn(f64, RangeInclusive<usize>) -> String + 'a, impl Fn(&str) -> Option<f64> + 'a) {
+) -> (NumberWriter<'a>, NumberReader<'a>) {
     let shown = Rc::new(RefCell::new(String::new()));
     let is_given_up = !rows::leaves_with_text(ui);
     let written = Rc::clone(&shown);
@@ -61,7 +67,7 @@ fn form<'a>(
         let number = read(text).filter(|_| !is_given_up)?;
         (read(&shown.borrow()) != Some(number)).then_some(number)
     };
-    (write, read)
+    (Box::new(write), Box::new(read))
 }
 
 /// Finite number that a text says, with spaces anywhere and a minus of either kind.
