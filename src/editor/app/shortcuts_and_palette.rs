@@ -33,7 +33,7 @@ const MOST_NODES: usize = 40;
 #[derive(Default)]
 pub(crate) struct Sheet {
     open: Option<OpenSheet>,
-    /// What was typed for the palette before it could take it.
+    /// Keys and texts that were typed for the palette before its field was there.
     early: Vec<Event>,
 }
 

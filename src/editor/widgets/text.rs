@@ -28,7 +28,7 @@ pub(crate) fn in_lines(ui: &mut Ui, text: RichText, lines: usize) -> Response {
 pub(crate) fn is_typed(ui: &Ui, response: &Response, text: &mut String) -> bool {
     let id = response.id.with("text before it was typed");
     let frame = ui.ctx().cumulative_frame_nr();
-    // What was kept frames ago is of a field that was hidden while it had the keyboard.
+    // A text kept frames ago is of a field that was hidden while it had the keyboard.
     let kept = ui.data_mut(|data| data.remove_temp::<(String, u64)>(id));
     let before = kept.filter(|(_, seen)| seen + 1 >= frame).map(|(before, _)| before);
     if response.has_focus() {

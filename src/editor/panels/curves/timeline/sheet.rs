@@ -45,7 +45,7 @@ struct CopiedKeys {
 /// went.
 type KeyIdentity = (Target, f64);
 
-/// What the selection is of: number of the document, and the files of the scene and the shot.
+/// Origin of the selection: number of the document, and the files of the scene and the shot.
 type SelectionPlace = (DocumentNumber, Option<PathBuf>, Option<PathBuf>);
 
 /// Drag of the selected keys by one of them.
