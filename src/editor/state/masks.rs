@@ -2,7 +2,7 @@
 //! be taken back.
 //!
 //! A mask's file has every stroke as soon as it ends. The strokes lie in the window's one order of
-//! undo while masks are painted.
+//! undo as long as the look is open: its picture shows them, whether the brush is at hand or not.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -130,8 +130,6 @@ pub(crate) struct MaskSteps {
     /// Undone steps, the next to redo last.
     undone: Vec<MaskStep>,
     pub(crate) times: Times,
-    /// True while masks are painted, so that undo takes their steps back.
-    pub(crate) is_open: bool,
 }
 
 impl MaskSteps {

@@ -3,13 +3,58 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::files::write_atomic;
 use crate::ids::NodeId;
-use crate::state::masks::{MaskPicture, MaskStep, file_of};
+use crate::state::masks::{MaskLaying, MaskPicture, MaskStep, SIDE, file_of};
+use crate::state::pictures::free_name;
+use crate::state::stack::Stack;
 
 impl Session {
+    /// Gives a layer a mask that hides it, in a new file beside the look's, which lies on the mesh
+    /// in a way. The mask is selected.
+    ///
+    /// # Errors
+    /// A diagnostic with the reason why there is no mask.
+    pub(crate) fn new_mask(
+        &mut self,
+        layer: &NodeId,
+        laying: &MaskLaying,
+    ) -> Result<(), Box<Diagnostic>> {
+        let name = self.name_of_new_mask()?;
+        let black = MaskPicture::filled([SIDE, SIDE], 0).to_png().map_err(Box::new)?;
+        self.pictures.bring(&self.look.folder().join(&name), black)?;
+        let (mask, edit) = Stack::mask_by_picture(self.look(), layer, (&name, laying));
+        self.apply(edit, None)?;
+        self.select(vec![mask]);
+        Ok(())
+    }
+
+    /// A free name for a mask beside the look's file.
+    fn name_of_new_mask(&self) -> Result<String, Box<Diagnostic>> {
+        let unsaved = tr!("save the look first: its mask is a picture beside its file");
+        let path = self.path().ok_or_else(|| Box::new(Diagnostic::error("no-mask", unsaved)))?;
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        free_name(&self.look.folder(), (&format!("{stem}-mask"), ".png"), |_| false)
+    }
+
+    /// Takes pictures away that a step brought which was taken back, or brings them again. One that
+    /// cannot be written is told as a problem of the picture.
+    pub(super) fn bring_pictures_along(&mut self) {
+        match self.pictures.follow(self.look.document(), &self.look.folder()) {
+            Ok(false) => {}
+            Ok(true) => self.files_changed(),
+            Err(problem) => self.tell_of_picture(*problem),
+        }
+    }
+
+    fn tell_of_picture(&mut self, problem: Diagnostic) {
+        self.picture_problems.push(problem);
+        self.revisions.problems.advance();
+    }
+
     /// File of a layer's painted mask; `None` where the layer has none, or the look no file.
     pub(crate) fn mask_file(&self, layer: &NodeId) -> Option<PathBuf> {
         self.path()?;
@@ -40,7 +85,7 @@ impl Session {
         file: &Path,
         mask: &MaskPicture,
     ) -> Result<(), Box<Diagnostic>> {
-        write_atomic(file, &mask.to_png().map_err(Box::new)?)?;
+        self.pictures.write(file, &mask.to_png().map_err(Box::new)?)?;
         self.files_changed();
         Ok(())
     }
@@ -52,10 +97,87 @@ impl Session {
         match self.write_mask(&file, &mask) {
             Ok(()) => true,
             Err(problem) => {
-                self.picture_problems.push(*problem);
-                self.revisions.problems.advance();
+                self.tell_of_picture(*problem);
                 false
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::library::Library;
+    use crate::state::stack::tree::LayerTree;
+
+    /// A session with a look in a file, and the look's uppermost layer.
+    fn saved(file: &Path) -> (Session, NodeId) {
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.save_named(file).unwrap();
+        let tree = LayerTree::of(session.look(), &session.project.catalog);
+        let layer = tree.rows(|_| false)[0].id.clone();
+        (session, layer)
+    }
+
+    /// Fills the mask of a layer with a tone, as a stroke over all of it does.
+    fn fill(session: &mut Session, layer: &NodeId, [before, after]: [u8; 2]) {
+        let of = |tone| Arc::new(MaskPicture::filled([SIDE, SIDE], tone));
+        let file = session.mask_file(layer).unwrap();
+        let (before, after) = (of(before), of(after));
+        session.paint_mask(MaskStep { label: "stroke", file, before, after }).unwrap();
+    }
+
+    #[test]
+    fn strokes_are_taken_back_in_the_order_of_all_steps() {
+        let folder = tempfile::tempdir().unwrap();
+        let (mut session, layer) = saved(&folder.path().join("a.json"));
+        session.new_mask(&layer, &MaskLaying::Uvs).unwrap();
+        let file = session.mask_file(&layer).unwrap();
+        let png = |tone| MaskPicture::filled([SIDE, SIDE], tone).to_png().unwrap();
+        let tone = || {
+            let bytes = std::fs::read(&file).unwrap();
+            [0, 128, 255].into_iter().find(|tone| png(*tone) == bytes).unwrap()
+        };
+        fill(&mut session, &layer, [0, 255]);
+        let edit = Stack::of(session.look(), &session.project.catalog).unmask(session.look(), &layer);
+        session.apply(edit.unwrap(), None).unwrap();
+        session.undo();
+        assert!(session.mask_file(&layer).is_some(), "the last step is the look's");
+        fill(&mut session, &layer, [255, 128]);
+        assert_eq!((session.steps().undo_label(), tone()), (Some("stroke"), 128));
+        session.undo();
+        assert_eq!(tone(), 255);
+        session.undo();
+        assert_eq!(tone(), 0);
+        session.undo();
+        assert!(!file.exists() && session.mask_file(&layer).is_none(), "the mask itself");
+        while session.redo() {}
+        assert_eq!(tone(), 128, "the mask and both strokes");
+
+        // Under another name, undo leaves the first look's mask as it is.
+        session.save_as(&folder.path().join("b.json")).unwrap();
+        while session.undo() {}
+        assert_eq!(tone(), 128);
+    }
+
+    #[test]
+    fn a_mask_that_a_file_names_or_that_was_painted_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.json");
+        let (mut session, layer) = saved(&path);
+        session.new_mask(&layer, &MaskLaying::Uvs).unwrap();
+        let file = session.mask_file(&layer).unwrap();
+        session.undo();
+        assert!(!file.exists());
+        session.redo();
+        assert!(file.exists());
+        std::fs::write(&file, "painted elsewhere").unwrap();
+        session.undo();
+        assert_eq!(std::fs::read(&file).unwrap(), b"painted elsewhere");
+        session.redo();
+        session.write_mask(&file, &MaskPicture::filled([SIDE, SIDE], 0)).unwrap();
+        session.save_as(&path).unwrap();
+        session.undo();
+        assert!(session.mask_file(&layer).is_none() && file.exists(), "the saved look names it");
     }
 }
