@@ -5,14 +5,15 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value as Json, json};
 
-use super::open::beside;
+use super::open::{beside, library_for};
 use super::output::Output;
 use super::target::outputs;
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{ColorSpace, Document, LoadedDocument, Override, Shot, value_address};
 use crate::files::{Disk, OutputKind};
-use crate::film::{color_space, color_text, is_hex};
+use crate::film::{color_space, color_text, is_hex, value_before};
 use crate::frame::{Assets, ResolvedShot, Setup, SetupLook, ValueChange, open};
+use crate::library::Library;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -50,11 +51,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let (setup, warnings) = open(&arguments.shot, None, &mut Assets::default())?.into_parts();
     output.diagnostics(&warnings);
     let Some(shot) = &setup.shot else { return Err(vec![not_a_shot(&arguments.shot)]) };
+    let library = || library_for(&arguments.shot, None);
     match (arguments.diff, arguments.json) {
         (true, true) => output.json(&json!(shot.changes)),
-        (true, false) => output.result(&diff(&setup, shot)),
+        (true, false) => output.result(&diff(&setup, &library(), shot)),
         (false, true) => output.json(&summary_json(&setup, shot)),
-        (false, false) => output.result(summary(&setup, shot).trim_end()),
+        (false, false) => output.result(summary(&setup, &library(), shot).trim_end()),
     }
     Ok(())
 }
@@ -66,7 +68,7 @@ fn not_a_shot(path: &Path) -> Diagnostic {
 }
 
 /// Every change, by the files that make them, the farthest first.
-fn diff(setup: &Setup, shot: &ResolvedShot) -> String {
+fn diff(setup: &Setup, library: &Library, shot: &ResolvedShot) -> String {
     let mut text = String::new();
     for file in shot.stack.shots.iter().rev() {
         let changes = shot.changes.iter().filter(|change| change.by == file.path);
@@ -76,14 +78,14 @@ fn diff(setup: &Setup, shot: &ResolvedShot) -> String {
         if changes.is_empty() {
             let _ = writeln!(text, "{path}, over {over}: changes nothing");
         } else {
-            let changes = changes_text(&changes, false, setup);
+            let changes = changes_text(&changes, false, setup, library);
             let _ = writeln!(text, "{path}, over {over}\n{changes}");
         }
     }
     text.trim_end().to_owned()
 }
 
-fn summary(setup: &Setup, shot: &ResolvedShot) -> String {
+fn summary(setup: &Setup, library: &Library, shot: &ResolvedShot) -> String {
     let stack = &shot.stack;
     let [first, last] = stack.frames();
     let mut text = String::new();
@@ -102,7 +104,7 @@ fn summary(setup: &Setup, shot: &ResolvedShot) -> String {
     if standing.is_empty() {
         text += "changes nothing\n";
     } else {
-        let changes = changes_text(&standing, stack.shots.len() > 1, setup);
+        let changes = changes_text(&standing, stack.shots.len() > 1, setup, library);
         let _ = writeln!(text, "changes\n{changes}");
     }
     text
@@ -136,13 +138,18 @@ fn stepping(step: u32) -> String {
 }
 
 /// Changes, one a line: address, from, to, and where it is asked for the file.
-pub(super) fn changes_text(changes: &[ValueChange], with_files: bool, setup: &Setup) -> String {
+pub(super) fn changes_text(
+    changes: &[ValueChange],
+    with_files: bool,
+    setup: &Setup,
+    library: &Library,
+) -> String {
     let addresses: Vec<String> = changes.iter().map(ValueChange::address).collect();
     let width = addresses.iter().map(|address| address.chars().count()).max().unwrap_or_default();
     let mut text = String::new();
     for (change, address) in changes.iter().zip(&addresses) {
         let space = color_space_of(change, setup);
-        let from = value_text(&change.from, space);
+        let from = value_text(&from_value(change, setup, library), space);
         let to = value_text(&change.to, space);
         let _ = write!(text, "  {address:width$}  {from} -> {to}");
         if change.step > 1 {
@@ -158,6 +165,15 @@ pub(super) fn changes_text(changes: &[ValueChange], with_files: bool, setup: &Se
     }
     text.truncate(text.trim_end().len());
     text
+}
+
+/// Value before a change, by the library where the change is of a group of it.
+fn from_value(change: &ValueChange, setup: &Setup, library: &Library) -> Json {
+    let is_it = |look: &&SetupLook| {
+        change.look.as_ref() == Some(&ResolvedShot::name_of_look(look.source.file().as_ref()))
+    };
+    let look = setup.looks.iter().find(is_it);
+    look.map_or_else(|| change.from.clone(), |look| value_before(change, &look.look, library))
 }
 
 /// The space of the numbers of a color; `None` where the value is none.

@@ -20,8 +20,8 @@ Each frame is whole where its file is as Chiaro wrote it, by the checksum in it.
 one size and have the same channels. Exit codes: 0 where all are whole (and equal), 1 where not,
 2 for wrong arguments; the last line says which frames are at fault.
 
-Beside another run the channels that both have are compared. A layer that one run has alone is named,
-and is a difference, unless --shared leaves such layers out.";
+Beside another run the channels that both have are compared. A layer that one run has alone is
+named, and is a difference, unless --shared leaves such layers out.";
 
 /// Arguments of `chiaro verify`.
 #[derive(Debug, clap::Args)]

@@ -1,10 +1,12 @@
-//! Colors that shots change, as the fields of the window have them.
+//! Values that shots change, as people read them: colors as the fields of the window have them, and
+//! what groups of the library say.
 
 use serde_json::Value as Json;
 
 use crate::catalog::values;
-use crate::document::{ColorSpace, linear_to_srgb, parse_hex};
+use crate::document::{ColorSpace, Look, Target, json_of_value, linear_to_srgb, parse_hex};
 use crate::frame::ValueChange;
+use crate::library::Library;
 
 /// Ends of the names of fields that hold colors.
 const COLORS: [&str; 3] = ["color", "tint", "backdrop"];
@@ -21,6 +23,20 @@ pub fn color_space(change: &ValueChange, space: ColorSpace) -> Option<ColorSpace
     }
     let is_shown = change.look.is_none() && AS_SHOWN.contains(&change.target.as_str());
     Some(if is_shown { ColorSpace::Display } else { space })
+}
+
+/// Value before a change of a look, as files have it: where the look says nothing about a node
+/// within a group of the library, that of the group. Null where the node has its own default.
+pub fn value_before(change: &ValueChange, look: &Look, library: &Library) -> Json {
+    let of_group = || {
+        let Some(Target::Input { node, port }) = Target::parse(&change.target) else { return None };
+        let (_, found) = library.node_of(look, node.ids()).filter(|_| node.parent().is_some())?;
+        found.values.get(&port).map(json_of_value)
+    };
+    match &change.from {
+        Json::Null => of_group().unwrap_or(Json::Null),
+        from => from.clone(),
+    }
 }
 
 /// True for a color in hexadecimal.
@@ -42,4 +58,34 @@ pub fn color_text(numbers: &[Json], space: ColorSpace) -> Option<String> {
     };
     let is_shown = [r, g, b, a].iter().all(|x| (0.0..=1.0).contains(x));
     is_shown.then(|| values::hex([r, g, b, a]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_group_of_the_library_says_stood_before_a_change() {
+        let text = r#"{"nodes": [{"id": "spot", "kind": "gobo"}, {"id": "rim", "kind": "blend",
+            "values": {"mode": "multiply"}}]}"#;
+        let (look, library) = (Look::read(text, "").value.unwrap(), Library::built_in());
+        let before = |target: &str, from: Json| {
+            let change = ValueChange {
+                look: Some("look.json".to_owned()),
+                target: target.to_owned(),
+                from,
+                to: Json::from("mirror"),
+                is_keyed: false,
+                step: 1,
+                by: "shot.json".into(),
+                json_path: "overrides[0]".to_owned(),
+                stands: true,
+            };
+            value_before(&change, &look, library)
+        };
+        assert_eq!(before("spot/picture.wrap", Json::Null), "clamp");
+        assert_eq!(before("spot/picture.wrap", Json::from("repeat")), "repeat", "another shot's");
+        assert_eq!(before("spot/picture.filter", Json::Null), Json::Null, "the node's own default");
+        assert_eq!(before("rim.mode", Json::Null), Json::Null, "the look has the change already");
+    }
 }

@@ -32,7 +32,7 @@ mod tables;
 mod view;
 
 pub use animation::{animated, rgb8};
-pub use changes::{color_space, color_text, is_hex};
+pub use changes::{color_space, color_text, is_hex, value_before};
 pub use contributions::{ContributionLayers, Contributions, contributions, light_shares};
 pub use cryptomatte::{Cryptomatte, MatteCoverage};
 pub use document::FrameRate;

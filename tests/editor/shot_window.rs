@@ -3,7 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, Value};
+use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, ShotEdit, Value};
+use chiaro::editor::App;
 use chiaro::frame::{Assets, open};
 use eframe::egui::{Key, Modifiers, Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -128,6 +129,63 @@ fn a_shot_is_begun_over_the_open_scene() {
     assert_eq!((intensity(&hand), hand.app().session().shot().unwrap().has_file()), (2.0, false));
 }
 
+/// Frames that the timeline plays, as its fields tell.
+fn range(hand: &User) -> [f64; 2] {
+    ["Range from", "Range to"].map(|label| {
+        let field = hand.harness.get_by_role_and_label(Role::SpinButton, label);
+        let number = || Some(field.accesskit_node().numeric_value()?.to_string());
+        field.value().or_else(number).unwrap().parse().unwrap()
+    })
+}
+
+#[test]
+fn restored_work_brings_the_frames_that_are_played() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    set_intensity(&mut hand, 2.0);
+    hand.app().session().wait_for_journal();
+    let later = home.after_a_crash();
+    write(&later, &FILES);
+    write(&later, &[("short.json", &SHOT.replace("[0, 48]", "[1, 12]"))]);
+    let mut again = later.window(Some(&later.file("short.json")));
+    again.settle();
+    again.press("View");
+    again.press_a(Role::CheckBox, "Timeline");
+    again.key(Key::Escape);
+    again.settle();
+    assert_eq!(range(&again), [1.0, 12.0]);
+    again.press("Restore it");
+    assert_eq!((intensity(&again), range(&again)), (2.0, [0.0, 48.0]));
+}
+
+#[test]
+fn a_new_shot_is_saved_under_its_own_name() {
+    let home = Home::new();
+    write(&home, &FILES);
+    let (places, scene) = (home.places(), home.file("scene.json"));
+    let mut hand = User::with(move |ctx| {
+        let mut app = App::new(ctx, None).with_path_fields();
+        app.keep_in(places.clone(), ctx);
+        app.open(&scene);
+        app
+    });
+    hand.settle();
+    command(&mut hand, "New shot");
+    let offered = |hand: &mut User| -> PathBuf {
+        save(hand);
+        let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path");
+        let path = field.value().unwrap().into();
+        hand.key(Key::Escape);
+        hand.settle();
+        path
+    };
+    assert_eq!(offered(&mut hand), home.file("shot.json"));
+    let named = ShotEdit::SetShotName { name: "SH 010".to_owned() };
+    hand.app_mut().session_mut().apply_to_shot(named, None).unwrap();
+    hand.settle();
+    assert_eq!(offered(&mut hand), home.file("sh-010.json"));
+}
+
 #[test]
 fn a_shot_of_a_look_alone_saves_a_scene_first() {
     let home = Home::new();
@@ -247,11 +305,13 @@ fn a_cell_is_taken_from_the_picture_of_its_sheet() {
         if hand.has(name) { name } else { "Cell 2: sun.intensity = 3, layer.opacity = 0.25" };
     let [first, second] = [hand.place("Cell 1: sun.intensity = 1.5"), hand.place(name)];
     assert!(first.right() < second.left() && (first.height() - second.height()).abs() < 0.1);
+    assert!(!hand.has("Node canvas"), "the sheet is shown in place of the graph");
     let opacity = |hand: &User| hand.look().graph.nodes["layer"].values["opacity"].clone();
     let before = (intensity(&hand), opacity(&hand));
     hand.click(second.center());
     hand.settle();
     assert_eq!((intensity(&hand), opacity(&hand)), (3.0, Value::Number(0.25)));
+    assert!(hand.says("Set: "), "the status line tells what was set");
     // Look and scene were changed at once, and are at once as before.
     assert_eq!(hand.steps(), 1);
     assert_eq!(hand.app().session().steps().labels().count(), 1);
@@ -263,6 +323,10 @@ fn a_cell_is_taken_from_the_picture_of_its_sheet() {
     assert_eq!(hand.steps(), 1);
     hand.undo();
     assert_eq!((intensity(&hand), opacity(&hand)), before);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(hand.has("Node canvas"));
+    assert!(hand.place(name).width() < second.width(), "small, in the panel");
     // Without its picture, the list is there.
     std::fs::remove_file(home.file("wedge.png")).unwrap();
     hand.app_mut().open(&home.file("wedge.json"));

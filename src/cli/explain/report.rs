@@ -174,7 +174,7 @@ impl ExplainReport {
     ) -> Result<Self, Vec<Diagnostic>> {
         let changes = setup.shot.iter().flat_map(|shot| &shot.changes);
         let standing: Vec<_> = changes.filter(|change| change.stands).cloned().collect();
-        let changes_told = changes_text(&standing, true, setup);
+        let changes_told = changes_text(&standing, true, setup, library);
         let mut looks: Vec<(usize, LookReport)> = Vec::new();
         for draw in &plan.draws {
             let Some((index, values)) = look_of(setup, draw) else { continue };

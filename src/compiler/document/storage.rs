@@ -30,6 +30,15 @@ impl Storage {
         }
     }
 
+    /// Label of the storage in the window.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Quick => tr!("Quick"),
+            Self::Compact => tr!("Compact"),
+            Self::Blocks => tr!("Blocks"),
+        }
+    }
+
     /// Description in a line without a full stop, for help, documentation and menus.
     pub fn about(self) -> &'static str {
         match self {

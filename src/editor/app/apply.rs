@@ -19,6 +19,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, Projection, Target, Value};
 use crate::files::relative;
 use crate::ids::NodePath;
+use crate::panels::curves::timeline::Timeline;
 use crate::state::paths::absolute;
 use crate::state::revision::GestureId;
 use crate::state::scene::{OpenScene, turned_around};
@@ -77,15 +78,7 @@ impl App {
 
     /// Carries out a command.
     pub(super) fn carry_out(&mut self, ui: &Ui, command: Command) {
-        // What is asked of the graph is to be seen there.
-        if let Command::Graph(_)
-        | Command::Reveal(_)
-        | Command::Show(_)
-        | Command::OpenGraph(_)
-        | Command::ShowPanel(PanelId::GRAPH) = command
-        {
-            self.bench.wedge.enlarge(false);
-        }
+        self.uncover_graph(&command);
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
@@ -164,14 +157,13 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.set_time(time),
-            Command::TakeCell(cell, scope) => {
-                let mut told = None;
-                self.tell(|session| {
-                    told = Some(session.take_cell(&cell, scope)?);
-                    Ok(())
-                });
-                self.message = told.or(self.message.take());
+            Command::Timeline(command) => {
+                self.start = None;
+                self.dock.open(PanelId::TIMELINE);
+                self.bench.memory.of::<Timeline>().ask(command);
+                ui.ctx().request_repaint();
             }
+            Command::TakeCell(cell, scope) => self.take_cell(&cell, scope),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
                 self.start = None;

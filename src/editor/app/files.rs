@@ -298,8 +298,10 @@ impl App {
     }
 
     pub(super) fn go_on(&mut self) {
-        // Another document has another graph.
-        self.bench.wedge.enlarge(false);
+        if self.pending.is_some() {
+            // Another document has another graph.
+            self.bench.wedge.enlarge(false);
+        }
         match self.pending.take() {
             Some(PendingAction::New) => {
                 self.session.start_new();

@@ -7,9 +7,9 @@ use eframe::egui::{OpenUrl, Ui};
 
 use super::App;
 use crate::app::look_export::address_of;
-use crate::commands::{FilePurpose, FilmCommand, PanelId};
+use crate::commands::{Command, FilePurpose, FilmCommand, PanelId};
 use crate::panels::PanelContext;
-use crate::state::wedge::WedgeSheet;
+use crate::state::wedge::{CellScope, WedgeCell, WedgeSheet};
 
 impl App {
     /// Carries out a command about film.
@@ -49,6 +49,31 @@ impl App {
                 }
             }
             FilmCommand::ShowWedge(sheet) => self.show_drawn_wedge(&sheet),
+        }
+    }
+
+    /// Takes the values of a wedge's cell, and tells what became of them.
+    pub(super) fn take_cell(&mut self, cell: &WedgeCell, scope: CellScope) {
+        let mut told = None;
+        self.tell(|session| {
+            told = Some(session.take_cell(cell, scope)?);
+            Ok(())
+        });
+        self.message = told.or(self.message.take());
+    }
+
+    /// Shows the graph in place of a wedge's sheet, where a command is about what is seen there.
+    pub(super) fn uncover_graph(&mut self, command: &Command) {
+        let is_about_graph = matches!(
+            command,
+            Command::Graph(_)
+                | Command::Reveal(_)
+                | Command::Show(_)
+                | Command::OpenGraph(_)
+                | Command::ShowPanel(PanelId::GRAPH)
+        );
+        if is_about_graph {
+            self.bench.wedge.enlarge(false);
         }
     }
 

@@ -667,7 +667,7 @@ impl App {
         }
         let has_sheet = self.bench.wedge.is_large() && self.dock.shows(PanelId::GRAPH);
         let has_sheet = has_sheet && self.start.is_none();
-        if has_sheet && is_free && !is_typing && keyboard::take(ui, escape) {
+        if has_sheet && is_free && !is_text_edited && keyboard::take(ui, escape) {
             commands.push(Command::Film(FilmCommand::EnlargeWedge(false)));
         }
     }

@@ -82,6 +82,8 @@ impl App {
             ShotCommand::Key(at) => {
                 self.tell(|session| session.key_in_shot(&at));
             }
+            ShotCommand::KeyAll => self.tell(Session::key_all_in_shot),
+            ShotCommand::ResetAll => self.tell(Session::reset_all_in_shot),
             ShotCommand::KeyCameraOfFile => self.tell(Session::key_camera_of_file),
             ShotCommand::Show(at) => self.show_value(ui, &at),
         }

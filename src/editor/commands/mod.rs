@@ -23,6 +23,7 @@ mod scene;
 mod shot;
 mod snapshot;
 pub(crate) mod table;
+mod timeline;
 mod tour;
 
 use std::collections::BTreeMap;
@@ -52,6 +53,7 @@ pub(crate) use scale::ScaleCommand;
 pub(crate) use scene::SceneCommand;
 pub(crate) use shot::ShotCommand;
 pub(crate) use snapshot::SnapshotCommand;
+pub(crate) use timeline::TimelineCommand;
 pub(crate) use tour::TourTopic;
 
 /// Command to the window.
@@ -165,6 +167,8 @@ pub(crate) enum Command {
     SelectKey(Option<KeyPlace>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
+    /// Command to the timeline.
+    Timeline(TimelineCommand),
     /// Takes the values of a wedge's cell, in a shot for these frames.
     TakeCell(WedgeCell, CellScope),
     /// Command about the view of the object.

@@ -19,6 +19,10 @@ pub(crate) enum ShotCommand {
     Reset(ShotAddress),
     /// Keys a value at the present frame.
     Key(ShotAddress),
+    /// Keys all values that the shot changes at the present frame.
+    KeyAll,
+    /// Takes all changes of the shot back.
+    ResetAll,
     /// Makes keys of the shot of the camera that a mesh's file moves.
     KeyCameraOfFile,
     /// Brings a value that the shot changes into view: its object, its light or its node.

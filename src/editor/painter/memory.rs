@@ -135,7 +135,7 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
         }
     });
     for storage in Storage::ALL {
-        let text = format!("{}: {}", named(storage), storage.about());
+        let text = format!("{}: {}", storage.label(), storage.about());
         ui.label(RichText::new(text).color(dim).small());
     }
     let painted = bytes(layers_bytes(grid, false));
@@ -167,15 +167,6 @@ impl Fit {
             (false, _) => tr!("does not fit"),
         };
         Self { is_in: need.fits(device.limits), help }
-    }
-}
-
-/// Name of a storage.
-pub(super) fn named(storage: Storage) -> &'static str {
-    match storage {
-        Storage::Quick => tr!("Quick"),
-        Storage::Compact => tr!("Compact"),
-        Storage::Blocks => tr!("Blocks"),
     }
 }
 

@@ -4,7 +4,7 @@
 use chiaro_locale::tr;
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
-use super::memory::{Memory, named};
+use super::memory::Memory;
 use crate::commands::{Command, PaintCommand};
 use crate::document::Storage;
 use crate::figures::bytes;
@@ -73,7 +73,7 @@ fn choices(ui: &mut Ui, work: &OpenPainting, memory: &mut Memory, chosen: &mut S
     };
     Table::new("storages").num_columns(3).spacing([12.0, 6.0]).show(ui, |ui| {
         for storage in Storage::ALL {
-            ui.radio_value(chosen, storage, named(storage));
+            ui.radio_value(chosen, storage, storage.label());
             let size = match &known {
                 Some(needs) => bytes(of(needs, storage)),
                 None => tr!("at most {size}", size = bytes(of(&most, storage))),

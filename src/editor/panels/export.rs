@@ -181,22 +181,24 @@ impl ExportCards {
             }
             ui.add_space(GAP);
             let label = ui.label(tr!("Painted surfaces"));
-            let word = |storage: Option<Storage>| storage.map_or(tr!("as it fits"), Storage::word);
-            let combo =
-                ComboBox::from_id_salt("storage")
-                    .selected_text(word(self.options.storage))
-                    .show_ui(ui, |ui| {
-                        let all = std::iter::once(None).chain(Storage::ALL.map(Some));
-                        for storage in all {
-                            let about = storage.map_or(
-                            tr!("packages have them compact where a node says quick; languages as \
-                                 the nodes say"),
-                            Storage::about,
-                        );
-                            ui.selectable_value(&mut self.options.storage, storage, word(storage))
-                                .on_hover_text(about);
-                        }
-                    });
+            let name = |storage: Option<Storage>| storage.map_or(tr!("as it fits"), Storage::label);
+            let combo = ComboBox::from_id_salt("storage")
+                .selected_text(name(self.options.storage))
+                .show_ui(ui, |ui| {
+                    let all = std::iter::once(None).chain(Storage::ALL.map(Some));
+                    for storage in all {
+                        let about = match storage {
+                            Some(storage) => {
+                                format!("{}\n--textures {}", storage.about(), storage.word())
+                            }
+                            None => tr!("packages have them compact where a node says quick; \
+                                     languages as the nodes say")
+                            .to_owned(),
+                        };
+                        ui.selectable_value(&mut self.options.storage, storage, name(storage))
+                            .on_hover_text(about);
+                    }
+                });
             combo.response.labelled_by(label.id);
         });
     }

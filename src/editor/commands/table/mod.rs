@@ -6,6 +6,7 @@ mod label;
 mod languages;
 mod painting;
 mod picture;
+mod timeline;
 mod window;
 
 use std::sync::LazyLock;
@@ -85,6 +86,7 @@ static ROWS: LazyLock<Vec<CommandRow>> = LazyLock::new(|| {
     rows.extend(picture::rows());
     rows.extend(painting::rows());
     rows.extend(graph::rows());
+    rows.extend(timeline::rows());
     rows
 });
 

@@ -62,7 +62,7 @@ impl Wedge {
     }
 }
 
-/// What a click does, in a sentence.
+/// Sentence on what a click does.
 fn help_of_clicks(session: &Session) -> &'static str {
     match session.shot() {
         Some(_) => tr!("A click takes a picture's values into the shot"),

@@ -195,9 +195,9 @@ impl Session {
         true
     }
 
-    /// Saves to a file, as [`save_as`](Self::save_as) does. A look that has no file, and that nobody
-    /// has named, takes the name of the file in words once it is written. No step is made: undo
-    /// takes back what was done by hand.
+    /// Saves to a file, as [`save_as`](Self::save_as) does. A look that has no file, and that
+    /// nobody has named, takes the name of the file in words once it is written. No step is made:
+    /// undo takes back what was done by hand.
     ///
     /// # Errors
     /// As [`save_as`](Self::save_as); the look keeps its name then.

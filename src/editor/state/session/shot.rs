@@ -10,11 +10,11 @@ use serde_json::Value as Json;
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{
-    BlendKind, ColorSpace, DocumentRevision, Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit,
-    Target, Value, keyed_target,
+    BlendKind, ColorSpace, DocumentRevision, Edit, LoadedDocument, Look, Override, SceneEdit, Shot,
+    ShotEdit, Target, Value, keyed_target,
 };
 use crate::files::journal::{JournalSlot, RecoveredWork};
-use crate::film::{color_space, color_text};
+use crate::film::{color_space, color_text, value_before};
 use crate::frame::{Assets, ResolvedShot, SetupLook, ValueChange};
 use crate::state::document::journal::VIEW;
 use crate::state::keying::Owner;
@@ -331,6 +331,42 @@ impl Session {
         self.apply_to_shot(edit, None)
     }
 
+    /// Takes all changes of the shot back, as a step.
+    ///
+    /// # Errors
+    /// No shot is open.
+    pub(crate) fn reset_all_in_shot(&mut self) -> Result<(), Box<Diagnostic>> {
+        let shot = self.shot().map(OpenShot::shot);
+        let overrides = shot.map(|shot| shot.overrides.as_slice()).unwrap_or_default();
+        let back = |it: &Override| ShotEdit::take_back(it.look.clone(), it.target.clone());
+        let mut edits: Vec<ShotEdit> = overrides.iter().map(back).collect();
+        if shot.is_some_and(|shot| shot.camera.is_some()) {
+            edits.push(ShotEdit::SetShotCamera { camera: None });
+        }
+        self.apply_to_shot(ShotEdit::Group { edits }, None)
+    }
+
+    /// Keys all values that the shot itself changes at the present frame, as one step: those of the
+    /// scene and of the open look.
+    ///
+    /// # Errors
+    /// No shot is open.
+    pub(crate) fn key_all_in_shot(&mut self) -> Result<(), Box<Diagnostic>> {
+        let mut edits = Vec::new();
+        if let Some(shot) = self.shot() {
+            let open = shot.open_look();
+            let own = shot.resolved().changes.iter().filter(|it| it.stands && it.by == shot.path());
+            for at in own.map(ShotAddress::of).filter(ShotAddress::can_move) {
+                let is_seen = at.look.is_none() || at.look == open;
+                let Some(value) = self.value_in_shot(&at).filter(|_| is_seen) else { continue };
+                let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
+                writer.add_key(&at.target, value, self.blend_at(&at));
+                edits.extend(writer.finish());
+            }
+        }
+        self.apply_to_shot(ShotEdit::Group { edits }, None)
+    }
+
     /// Keys a value at the present frame, with its present value: the first key, or one more, which
     /// leaves the curve as it is.
     ///
@@ -385,16 +421,16 @@ impl Session {
         shot.resolved().change_of(look.as_deref(), target)
     }
 
-    /// The color space of a look, by its path as changes tell it; for values of the scene, that of
-    /// the open look, as the fields of lights have it.
-    fn color_space_at(&self, look: Option<&str>) -> ColorSpace {
+    /// A look by its path as changes tell it; for values of the scene the open look, whose colors
+    /// the fields of lights have.
+    fn look_at(&self, look: Option<&str>) -> &Look {
         let closed = look.zip(self.open_scene()).and_then(|(path, open_scene)| {
             let is_it = |look: &&Arc<SetupLook>| {
                 ResolvedShot::name_of_look(Path::new(look.source.file())) == path
             };
-            open_scene.other_looks().find(is_it).map(|look| look.look.color_space)
+            open_scene.other_looks().find(is_it).map(|look| &look.look)
         });
-        closed.unwrap_or(self.look().color_space)
+        closed.unwrap_or(self.look())
     }
 
     /// Saves the shot to a file, which is its own from then on.
@@ -452,11 +488,12 @@ fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
 /// The value before a change and the one after it, in words: colors as fields have them, keys with
 /// their frames.
 pub(crate) fn change_text(session: &Session, change: &ValueChange) -> (String, String) {
-    let space = color_space(change, session.color_space_at(change.look.as_deref()));
-    let told = |json| keys_text(json, space).unwrap_or_else(|| colored_text(json, space));
-    let from = match &change.from {
+    let look = session.look_at(change.look.as_deref());
+    let space = color_space(change, look.color_space);
+    let told = |json: &Json| keys_text(json, space).unwrap_or_else(|| colored_text(json, space));
+    let from = match value_before(change, look, &session.project.library) {
         Json::Null => tr!("default").to_owned(),
-        from => told(from),
+        from => told(&from),
     };
     (from, told(&change.to))
 }
@@ -528,7 +565,7 @@ pub(super) mod tests {
     fn a_key_that_is_added_bends_nothing() {
         let folder = tempfile::tempdir().unwrap();
         let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#);
+        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
         put(
             "shot.json",
             r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
@@ -605,6 +642,39 @@ pub(super) mod tests {
         std::fs::write(&scene, whole).unwrap();
         session.files_changed();
         assert_eq!(errors(&session), 0);
+    }
+
+    #[test]
+    fn all_that_a_shot_changes_is_keyed_and_reset_at_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
+        put(
+            "shot.json",
+            r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
+                "overrides": [{"target": "camera.height", "value": 3},
+                {"target": "objects.ball.mesh", "value": "shape:cube"},
+                {"target": "camera.fov", "keys": [{"frame": 4, "value": 0.5}]}]}"#,
+        );
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        assert_eq!(session.key_all_in_shot().unwrap_err().code, "impossible-edit");
+        session.open(&folder.path().join("shot.json")).unwrap();
+        let before = session.shot().unwrap().shot().clone();
+        session.key_all_in_shot().unwrap();
+        let keys: Vec<Vec<f64>> = session
+            .shot()
+            .unwrap()
+            .shot()
+            .overrides
+            .iter()
+            .map(|change| change.keys.iter().map(|key| key.frame).collect())
+            .collect();
+        assert_eq!(keys, [vec![1.0], vec![], vec![1.0, 4.0]], "a mesh has no keys");
+        session.reset_all_in_shot().unwrap();
+        assert!(session.shot().unwrap().shot().overrides.is_empty());
+        session.undo();
+        session.undo();
+        assert_eq!(*session.shot().unwrap().shot(), before, "each is one step");
     }
 
     #[test]

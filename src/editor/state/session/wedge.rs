@@ -378,7 +378,6 @@ mod tests {
     }
 
     #[test]
-<<<<<<< HEAD
     fn a_cell_of_a_shot_tells_what_it_keys_and_can_hold_for_all_frames() {
         let folder = tempfile::tempdir().unwrap();
         let mut session = opened(folder.path());
@@ -405,7 +404,9 @@ mod tests {
         let told = session.take_cell(&taken, CellScope::AsKeyed).unwrap();
         let wanted = "A key at frame 7 of sun.intensity; for the whole shot sun.color";
         assert_eq!(told, wanted);
-=======
+    }
+
+    #[test]
     fn a_word_is_held_in_one_use_of_a_group_of_the_look_or_of_the_library() {
         let mut of_library = session(false);
         let text = r#"{"chiaro": "look", "nodes": [{"id": "bands", "kind": "band_layer"},
@@ -419,13 +420,12 @@ mod tests {
         for (mut session, name, word) in words {
             let before = session.look().clone();
             let word = Value::Text(word.to_owned());
-            session.take_cell(&cell(name, word.clone())).unwrap();
+            session.take_cell(&cell(name, word.clone()), CellScope::AsKeyed).unwrap();
             let [track] = session.look().time_keys.as_slice() else { panic!("one track") };
             assert_eq!((track.target.to_string(), &track.keys[0].value), (name.to_owned(), &word));
             assert_eq!(session.look().definitions, before.definitions);
             session.undo();
             assert_eq!(*session.look(), before);
         }
->>>>>>> wwords
     }
 }

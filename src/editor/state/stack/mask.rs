@@ -553,7 +553,7 @@ mod tests {
         for laying in [MaskLaying::Uvs, MaskLaying::Straight(straight.clone())] {
             let (mut look, catalog, _) = setup();
             let (_, edit) = Stack::mask_by_picture(&look, &"b".into(), ("m.png", &laying));
-            edit.apply(&mut look).unwrap();
+            look.apply(edit).unwrap();
             assert!(!is_free(&look, &catalog, &"b".into()));
             let problems = problems(&look);
             assert!(problems.is_empty(), "{problems:?}");

@@ -532,7 +532,7 @@ mod tests {
         assert_eq!(playback.form(), form, "it goes on with the scene's camera");
         flip.compare_with(0, &mut playback);
         assert_eq!(told(&flip), (kept.clone(), vec![files.clone()]));
-        assert_eq!((playback.form(), flip.lacking([0, 3])), (form, 1));
+        assert_eq!((playback.form(), flip.lacking([0, 3])), (form, FrameList::of(vec![3])));
         // Chosen to be compared with, what is kept stands in front.
         flip.compare_kept(&mut playback);
         assert_eq!(told(&flip), ("Kept version 2".to_owned(), vec![files, kept]));
@@ -549,7 +549,7 @@ mod tests {
             std::fs::write(&path, text).unwrap();
             path
         };
-        let scene = r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#;
+        let scene = r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#;
         let [one, other] = ["one.json", "other.json"].map(|name| put(name, scene));
         let shot = put("shot.json", r#"{"chiaro": "shot", "scene": "one.json", "frames": [1, 9]}"#);
         let look = put("look.json", r#"{"chiaro": "look", "nodes": []}"#);

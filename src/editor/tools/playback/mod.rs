@@ -550,7 +550,7 @@ mod tests {
     fn frames_stay_while_only_names_and_markers_change() {
         let folder = tempfile::tempdir().unwrap();
         let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": {"ball": {"mesh": "shape:sphere"}}}"#);
+        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
         put("shot.json", r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12]}"#);
         let new = || Session::new(Arc::new(Library::built_in().clone()), || {});
         let marker = || Marker { time: 1.0, name: "hit".to_owned(), unknown: Default::default() };

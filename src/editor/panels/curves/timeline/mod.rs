@@ -25,7 +25,7 @@ use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, PanelId, TimelineCommand};
 use crate::document::TimeRange;
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
@@ -59,6 +59,7 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     }
     let ticked = timeline.tick(ui, session, bench.tools.playback());
     let mut commands: Vec<Command> = ticked.map(Command::SetTime).into_iter().collect();
+    transport::answer(timeline, ui, session, &mut bench.tools, &mut commands);
     // Before the graph, whose keys are some of the same.
     if let Some(panel) = timeline.panel.filter(|_| presence == Presence::Seen) {
         sheet::keys(timeline, ui, session, panel, &mut commands);
@@ -104,6 +105,8 @@ pub(crate) struct Timeline {
     went: Option<f64>,
     /// Marker whose name is typed.
     renaming: NameField,
+    /// Command that was asked for by its name.
+    asked: Option<TimelineCommand>,
 }
 
 impl Default for Timeline {
@@ -124,6 +127,7 @@ impl Default for Timeline {
             is_deleting: false,
             went: None,
             renaming: None,
+            asked: None,
         }
     }
 }
@@ -145,6 +149,11 @@ impl Timeline {
         let transport = self.clock.transport(round, self.fps, tick.time.unwrap_or(present));
         playback.follow(Some(transport));
         tick.time
+    }
+
+    /// Does what is asked for by its name, in the next frame of the window.
+    pub(crate) fn ask(&mut self, command: TimelineCommand) {
+        self.asked = Some(command);
     }
 
     /// Frames that are played.

@@ -7,10 +7,10 @@ use eframe::egui::{
     PopupCloseBehavior, Rect, RichText, Role, Stroke, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
-use super::Timeline;
 use super::axis::Axis;
 use super::clock::SPEEDS;
-use crate::commands::{Command, keyboard};
+use super::{Timeline, markers, shot_tracks};
+use crate::commands::{Command, TimelineCommand, keyboard};
 use crate::state::session::Session;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
@@ -68,6 +68,43 @@ fn step(timeline: &mut Timeline, session: &Session, by: i32, out: &mut Vec<Comma
         next
     };
     out.push(Command::SetTime(time_of(next, timeline.fps)));
+}
+
+/// Does what was asked for by its name.
+pub(super) fn answer(
+    timeline: &mut Timeline,
+    ui: &Ui,
+    session: &Session,
+    tools: &mut PictureTools,
+    out: &mut Vec<Command>,
+) {
+    let Some(command) = timeline.asked.take() else { return };
+    let [start, end] = timeline.clock.part.unwrap_or(timeline.range);
+    match command {
+        TimelineCommand::Play => timeline.toggle(ui, session),
+        TimelineCommand::ToStart => timeline.go(start, out),
+        TimelineCommand::ToEnd => timeline.go(end, out),
+        TimelineCommand::ToKeyBefore | TimelineCommand::ToKeyAfter => {
+            let way = if command == TimelineCommand::ToKeyAfter { 1.0 } else { -1.0 };
+            let all = super::times(session).chain(shot_tracks::times(session));
+            if let Some(time) = timeline.neighbor(all, session, way) {
+                timeline.go(time, out);
+            }
+        }
+        TimelineCommand::AddMarker => {
+            markers::add(session, timeline.snapped(session.view.time), out);
+        }
+        TimelineCommand::ChangeEnd => {
+            let all = LoopMode::ALL;
+            let now = all.iter().position(|mode| *mode == timeline.clock.mode);
+            timeline.clock.mode = all[now.map_or(0, |now| (now + 1) % all.len())];
+        }
+        TimelineCommand::CacheRange => tools.playback().fill(true),
+        TimelineCommand::KeepVersion => {
+            let (flip, playback) = tools.pair::<FlipBook, Playback>();
+            flip.keep(playback);
+        }
+    }
 }
 
 /// Takes the keys of the transport, over the panel.
