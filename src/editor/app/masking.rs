@@ -7,7 +7,7 @@ use super::App;
 use crate::commands::{MaskCommand, PanelId};
 use crate::ids::NodeId;
 use crate::state::masks::MaskLaying;
-use crate::tools::masking::{MaskTool, laying};
+use crate::tools::masking::{MaskTool, lacks_colors, laying};
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
 
@@ -29,8 +29,32 @@ impl App {
                     self.bench.tools.of_mut::<MaskTool>().tell(told.to_owned());
                 }
             }
-            MaskCommand::Paint(layer) => self.paint_mask_of(ui, Some(layer)),
+            MaskCommand::Paint(layer) => {
+                let mut copied = None;
+                self.message = None;
+                self.tell(|session| {
+                    copied = session.own_mask(&layer)?;
+                    Ok(())
+                });
+                if self.message.is_some() {
+                    return;
+                }
+                self.paint_mask_of(ui, Some(layer));
+                if let Some([other, own]) = copied {
+                    let told =
+                        tr!("{other} is shown by others, too: a copy of it is painted, {own}");
+                    self.bench.tools.of_mut::<MaskTool>().tell(told);
+                }
+            }
             MaskCommand::Keep(step) => self.tell(|session| session.paint_mask(step)),
+            MaskCommand::CheckColors if lacks_colors(&self.session.snapshot()) => {
+                let told = tr!(
+                    "The mesh has no vertex colors, which count as white: nothing is hidden until \
+                     it brings some"
+                );
+                self.message = Some(told.to_owned());
+            }
+            MaskCommand::CheckColors => {}
             MaskCommand::Leave => self.paint_mask_of(ui, None),
         }
     }
@@ -38,7 +62,7 @@ impl App {
     /// Begins to paint the mask of a layer, or ends painting.
     fn paint_mask_of(&mut self, ui: &Ui, layer: Option<NodeId>) {
         let is_on = layer.is_some();
-        self.bench.tools.of_mut::<MaskTool>().turn(layer);
+        self.bench.tools.of_mut::<MaskTool>().turn(layer, &self.session);
         // Others take the pointer too, and the turntable carries the model away from it.
         if is_on {
             self.bench.tools.of_mut::<Probe>().turn(false);

@@ -26,6 +26,14 @@ const MOST_DOCUMENTS: usize = 200;
 /// Largest document that is searched, in bytes.
 const MOST_TEXT: u64 = 4 << 20;
 
+/// Picture that is about to be written beside a look, or a part.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct CarriedPicture {
+    /// Name of the file.
+    pub(crate) name: String,
+    pub(crate) bytes: Vec<u8>,
+}
+
 /// Picture that came with a step of the look.
 #[derive(Debug)]
 struct BroughtPicture {
@@ -88,9 +96,8 @@ impl OwnPictures {
                 }
                 (false, false) if is_there => {
                     let most = picture.bytes.len() as u64;
-                    let is_same = Disk
-                        .read(&picture.file, most)
-                        .is_ok_and(|bytes| bytes == picture.bytes);
+                    let is_same =
+                        Disk.read(&picture.file, most).is_ok_and(|bytes| bytes == picture.bytes);
                     picture.is_away = is_same && std::fs::remove_file(&picture.file).is_ok();
                     has_changed |= picture.is_away;
                 }
@@ -120,9 +127,9 @@ fn names(look: &Look, folder: &Path, file: &Path) -> bool {
     let groups = look.definitions.values().map(|definition| &definition.graph);
     let graphs = std::iter::once(&look.graph).chain(groups);
     let mut values = graphs.flat_map(|graph| graph.nodes.values()).flat_map(|n| n.values.values());
-    values.any(|value| {
-        matches!(value, Value::Text(text) if !text.is_empty() && folder.join(text) == file)
-    })
+    values.any(
+        |value| matches!(value, Value::Text(text) if !text.is_empty() && folder.join(text) == file),
+    )
 }
 
 /// A name that no file of a folder has: a stem and an ending, with a number where need be.

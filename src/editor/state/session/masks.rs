@@ -7,9 +7,11 @@ use chiaro_locale::tr;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::ids::NodeId;
-use crate::state::masks::{MaskLaying, MaskPicture, MaskStep, SIDE, file_of};
-use crate::state::pictures::free_name;
+use crate::document::{Edit, GraphId, Value};
+use crate::frame::Assets;
+use crate::ids::{NodeId, PortName};
+use crate::state::masks::{IMAGE, MaskLaying, MaskPicture, MaskStep, SIDE, file_of, image_of};
+use crate::state::pictures::{CarriedPicture, free_name, is_shared};
 use crate::state::stack::Stack;
 
 impl Session {
@@ -25,11 +27,64 @@ impl Session {
     ) -> Result<(), Box<Diagnostic>> {
         let name = self.name_of_new_mask()?;
         let black = MaskPicture::filled([SIDE, SIDE], 0).to_png().map_err(Box::new)?;
-        self.pictures.bring(&self.look.folder().join(&name), black)?;
         let (mask, edit) = Stack::mask_by_picture(self.look(), layer, (&name, laying));
-        self.apply(edit, None)?;
+        self.apply_with(vec![CarriedPicture { name, bytes: black }], edit)?;
         self.select(vec![mask]);
         Ok(())
+    }
+
+    /// Gives the mask of a layer a picture of its own beside the look, a copy, where another
+    /// document may show the picture that it has. Returns the names of both, as the look names
+    /// them.
+    ///
+    /// # Errors
+    /// A diagnostic where the copy cannot be written.
+    pub(crate) fn own_mask(
+        &mut self,
+        layer: &NodeId,
+    ) -> Result<Option<[String; 2]>, Box<Diagnostic>> {
+        let Some((id, before)) = image_of(self.look(), layer) else { return Ok(None) };
+        let (id, before) = (id.clone(), before.to_owned());
+        if self.path().is_none_or(|path| !is_shared(path, &before)) {
+            return Ok(None);
+        }
+        // A picture that is no mask is not painted either, and the brush says why.
+        let image = Assets::of(&self.assets).image(&self.look.folder(), &before);
+        let Some(mask) = image.ok().and_then(|image| MaskPicture::of(&image)) else {
+            return Ok(None);
+        };
+        let name = self.name_of_new_mask()?;
+        let bytes = mask.to_png().map_err(Box::new)?;
+        let edit = Edit::SetValue {
+            graph: GraphId::Look,
+            id,
+            port: PortName::new(IMAGE),
+            value: Value::Text(name.clone()),
+            index: None,
+        };
+        self.apply_with(vec![CarriedPicture { name: name.clone(), bytes }], edit)?;
+        Ok(Some([before, name]))
+    }
+
+    /// Writes pictures beside the look, and applies the edit that names them, as one step.
+    ///
+    /// # Errors
+    /// A diagnostic where a picture cannot be written or the edit is impossible; the look is then
+    /// as it was.
+    pub(crate) fn apply_with(
+        &mut self,
+        pictures: Vec<CarriedPicture>,
+        edit: Edit,
+    ) -> Result<(), Box<Diagnostic>> {
+        let folder = self.look.folder();
+        let mut pictures = pictures.into_iter();
+        let written = pictures
+            .try_for_each(|picture| self.pictures.bring(&folder.join(picture.name), picture.bytes));
+        let done = written.and_then(|()| self.apply(edit, None));
+        if done.is_err() {
+            self.bring_pictures_along();
+        }
+        done
     }
 
     /// A free name for a mask beside the look's file.
@@ -139,7 +194,8 @@ mod tests {
             [0, 128, 255].into_iter().find(|tone| png(*tone) == bytes).unwrap()
         };
         fill(&mut session, &layer, [0, 255]);
-        let edit = Stack::of(session.look(), &session.project.catalog).unmask(session.look(), &layer);
+        let edit =
+            Stack::of(session.look(), &session.project.catalog).unmask(session.look(), &layer);
         session.apply(edit.unwrap(), None).unwrap();
         session.undo();
         assert!(session.mask_file(&layer).is_some(), "the last step is the look's");
@@ -158,6 +214,45 @@ mod tests {
         session.save_as(&folder.path().join("b.json")).unwrap();
         while session.undo() {}
         assert_eq!(tone(), 128);
+    }
+
+    /// A mask that another look shows is copied before it is painted, in a step of its own.
+    #[test]
+    fn a_mask_that_others_show_is_painted_in_a_copy() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let (mut session, layer) = saved(&path("a.json"));
+        session.new_mask(&layer, &MaskLaying::Uvs).unwrap();
+        session.save_as(&path("a.json")).unwrap();
+        assert_eq!(session.own_mask(&layer).unwrap(), None, "it is the look's own");
+        session.save_as(&path("b.json")).unwrap();
+        let copied = session.own_mask(&layer).unwrap();
+        assert_eq!(copied, Some(["a-mask.png".to_owned(), "b-mask.png".to_owned()]));
+        assert_eq!(session.mask_file(&layer), Some(path("b-mask.png")));
+        assert_eq!(session.own_mask(&layer).unwrap(), None, "once is enough");
+        let first = std::fs::read(path("a-mask.png")).unwrap();
+        assert_eq!(std::fs::read(path("b-mask.png")).unwrap(), first);
+        fill(&mut session, &layer, [0, 255]);
+        assert_eq!(std::fs::read(path("a-mask.png")).unwrap(), first);
+        session.undo();
+        session.undo();
+        assert_eq!(session.mask_file(&layer), Some(path("a-mask.png")));
+        assert!(!path("b-mask.png").exists(), "nothing is left of the copy");
+
+        // One that lies elsewhere is another's in any case.
+        std::fs::create_dir(path("c")).unwrap();
+        session.save_as(&path("c/c.json")).unwrap();
+        let (image, _) = image_of(session.look(), &layer).unwrap();
+        let edit = Edit::SetValue {
+            graph: GraphId::Look,
+            id: image.clone(),
+            port: PortName::new(IMAGE),
+            value: Value::Text("../a-mask.png".to_owned()),
+            index: None,
+        };
+        session.apply(edit, None).unwrap();
+        let copied = session.own_mask(&layer).unwrap().unwrap();
+        assert_eq!(copied, ["../a-mask.png".to_owned(), "c-mask.png".to_owned()]);
     }
 
     #[test]
