@@ -35,7 +35,7 @@ const MOST_STEPS_DOWN: u32 = 200;
 /// Greatest numbers of rows of nodes that masks are made of, and of what else there is; the few
 /// that are larger may be overlapped.
 const MOST_ROWS: usize = 10;
-const MOST_ROWS_OF_OTHERS: usize = 16;
+const MOST_ROWS_OF_OTHERS: usize = 22;
 
 /// Source of a mask that a menu offers.
 pub(crate) struct MaskSource {
