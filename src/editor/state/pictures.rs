@@ -78,16 +78,21 @@ impl OwnPictures {
         Ok(())
     }
 
-    /// Takes pictures away that a look in a folder no longer names, and brings them again where it
-    /// does once more. Returns true if a file came or went.
+    /// Takes pictures away that none of the looks in a folder names any longer, and brings them
+    /// again where one does once more. Returns true if a file came or went.
     ///
     /// # Errors
     /// A diagnostic that names the file that does not come back.
-    pub(crate) fn follow(&mut self, look: &Look, folder: &Path) -> Result<bool, Box<Diagnostic>> {
+    pub(crate) fn follow(
+        &mut self,
+        looks: &[&Look],
+        folder: &Path,
+    ) -> Result<bool, Box<Diagnostic>> {
         let (mut has_changed, mut back) = (false, Vec::new());
         for picture in &mut self.brought {
             let is_there = Disk.metadata(&picture.file).is_some();
-            match (names(look, folder, &picture.file), picture.is_away) {
+            let is_named = looks.iter().any(|look| names(look, folder, &picture.file));
+            match (is_named, picture.is_away) {
                 (true, true) => {
                     picture.is_away = false;
                     if !is_there {

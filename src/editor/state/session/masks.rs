@@ -95,10 +95,12 @@ impl Session {
         free_name(&self.look.folder(), (&format!("{stem}-mask"), ".png"), |_| false)
     }
 
-    /// Takes pictures away that a step brought which was taken back, or brings them again. One that
-    /// cannot be written is told as a problem of the picture.
+    /// Takes pictures away that a step brought which was taken back, unless a snapshot shows them,
+    /// or brings them again. One that cannot be written is told as a problem of the picture.
     pub(super) fn bring_pictures_along(&mut self) {
-        match self.pictures.follow(self.look.document(), &self.look.folder()) {
+        let of_shelf = self.shelf.all().map(|snapshot| &*snapshot.look);
+        let looks: Vec<_> = std::iter::once(self.look.document()).chain(of_shelf).collect();
+        match self.pictures.follow(&looks, &self.look.folder()) {
             Ok(false) => {}
             Ok(true) => self.files_changed(),
             Err(problem) => self.tell_of_picture(*problem),
@@ -240,6 +242,12 @@ mod tests {
         assert_eq!(session.mask_file(&layer), Some(path("a-mask.png")));
         assert!(!path("b-mask.png").exists(), "nothing is left of the copy");
 
+        // An edit that is impossible leaves no picture behind.
+        let impossible = Edit::RemoveNode { graph: GraphId::Look, id: "none".into() };
+        let picture = CarriedPicture { name: "x.png".to_owned(), bytes: vec![1] };
+        session.apply_with(vec![picture], impossible).unwrap_err();
+        assert!(!path("x.png").exists());
+
         // One that lies elsewhere is another's in any case.
         std::fs::create_dir(path("c")).unwrap();
         session.save_as(&path("c/c.json")).unwrap();
@@ -267,6 +275,18 @@ mod tests {
         assert!(!file.exists());
         session.redo();
         assert!(file.exists());
+        // A snapshot shows it when the look does not.
+        session.take_snapshot().unwrap();
+        let stack = Stack::of(session.look(), &session.project.catalog);
+        let edit = stack.unmask(session.look(), &layer).unwrap();
+        session.apply(edit, None).unwrap();
+        let edit = Edit::RemoveNode { graph: GraphId::Look, id: layer.clone() };
+        session.apply(edit, None).unwrap();
+        session.undo();
+        assert!(session.mask_file(&layer).is_none() && file.exists());
+        session.undo();
+        session.undo();
+        assert!(session.shelf().is_empty() && session.mask_file(&layer).is_some());
         std::fs::write(&file, "painted elsewhere").unwrap();
         session.undo();
         assert_eq!(std::fs::read(&file).unwrap(), b"painted elsewhere");

@@ -302,6 +302,7 @@ impl Session {
             }
             (DocumentKind::Shelf, ..) => {
                 let did = self.shelf.undo();
+                self.bring_pictures_along();
                 self.keep_shelf();
                 did
             }
@@ -346,6 +347,7 @@ impl Session {
             }
             (DocumentKind::Shelf, ..) => {
                 let did = self.shelf.redo(now);
+                self.bring_pictures_along();
                 self.keep_shelf();
                 did
             }
