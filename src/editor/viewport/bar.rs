@@ -19,6 +19,7 @@ use crate::geometry::SHAPES;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::state::wire::Style;
+use crate::tools::notice::stand_below;
 use crate::tools::probe::wire_name;
 use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
@@ -300,6 +301,7 @@ pub(super) fn over_top(
     let is_soloed = open_scene.is_some_and(|open_scene| !open_scene.scene().soloed.is_none());
     let is_told = is_soloed || session.view.wire.is_some() || !session.view.solo.is_empty();
     if !is_told && through.is_none() && stands.offer(session).is_none() {
+        stand_below(ui.ctx(), 0.0);
         return;
     }
     let id = ui.scope_id().with("told over the picture");
@@ -322,7 +324,9 @@ pub(super) fn over_top(
             out.extend(solo_bar::of_scene(ui, session));
             out.extend(stands.show(ui, session));
         });
-    ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
+    let height = shown.response.rect.height();
+    ui.data_mut(|data| data.insert_temp(id, height));
+    stand_below(ui.ctx(), height);
 }
 
 /// Says that a light is looked through, with a button that leads back.

@@ -221,6 +221,10 @@ impl DiskState {
             let new = session.assets.source().metadata(path);
             if *old != new {
                 *old = new;
+                // What the window wrote itself is drawn already.
+                if session.pictures.is_own(path, new) {
+                    continue;
+                }
                 changed = path.file_name().map(|name| name.to_string_lossy().into_owned());
             }
         }
