@@ -113,6 +113,17 @@ fn the_old_picture_steps_back_while_another_look_is_prepared() {
     hand.app_mut().session_mut().start_new();
     hand.settle();
     assert!(!hand.says("No picture yet"));
+
+    // After an error of the graph the picture says that it is of the graph before.
+    let stale = "Of the graph before the error";
+    assert!(!hand.has(stale));
+    let remove = Edit::RemoveNode { graph: GraphId::Look, id: "output".into() };
+    hand.app_mut().session_mut().apply(remove, None).unwrap();
+    hand.settle();
+    assert!(hand.has(stale) && !hand.errors().is_empty(), "{:?}", hand.errors());
+    hand.undo();
+    hand.settle();
+    assert!(!hand.has(stale) && hand.errors().is_empty(), "{:?}", hand.errors());
 }
 
 #[test]
@@ -131,6 +142,13 @@ fn the_look_is_seen_on_another_mesh_and_on_one_from_a_file() {
     hand.settle();
     let wedge = middle_row(&mut hand);
     assert_ne!(torus, wedge);
+
+    // What was noted of the file goes from the status bar once it was read.
+    let list = "Open the list of problems";
+    assert!(hand.has(list) && hand.says("normals were made"));
+    hand.press(list);
+    assert!(hand.says("normals were made"), "the panel has it");
+    assert!(!hand.has(list));
 
     // A missing mesh is told of, and the last good picture stays.
     hand.app_mut().show_on("nowhere.obj");
