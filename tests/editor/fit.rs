@@ -146,10 +146,7 @@ fn a_stroke_is_lit_there_by_a_layer_of_its_own_and_undone() {
     stroke(&mut hand, "Light", &[[0.35, -0.2], [0.5, -0.35], [0.4, -0.5]]);
     let [was, is] = {
         hand.press("Light it there");
-        hand.app()
-            .fitting()
-            .errors()
-            .unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()))
+        hand.app().fitting().errors().unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()))
     };
     assert!(is < 0.7 * was, "{is} of {was}");
     assert_eq!(*hand.look(), before, "a preview is no edit");

@@ -150,8 +150,10 @@ impl FitTool {
                     colors.text,
                 ),
                 (None, FitGoal::Local) => (
-                    tr!("Layers over the look found nothing nearer: Misses shows where it is off. \
-                         {advice}"),
+                    tr!(
+                        "Layers over the look found nothing nearer: Misses shows where it is off. \
+                         {advice}"
+                    ),
                     colors.accent,
                 ),
                 (None, FitGoal::ThisLook | FitGoal::Layers(_)) => (
