@@ -102,13 +102,13 @@ fn lead(track: Track<'_>, keys: &mut [TimeKey], [new, end]: [usize; 2], is_first
         _ => return,
     };
     let start = new.min(end);
-    let is_cubic = keys[start].interpolation == TimeInterpolation::Bezier;
+    let is_cubic = keys[start].interpolation == TimeInterpolation::Bezier && !track.turns;
     let third = (keys[new].time - keys[end].time) / 3.0;
     let toward = |third: f64| -> Vec<[f64; 2]> {
         let slopes = slopes.iter().flatten();
         slopes.map(|slope| [third, slope * third]).collect()
     };
-    if slopes.is_some() && !(is_cubic && !track.turns) {
+    if slopes.is_some() && !is_cubic {
         keys[start].interpolation = TimeInterpolation::Linear;
         return;
     }
