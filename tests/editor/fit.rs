@@ -144,10 +144,12 @@ fn a_stroke_is_lit_there_by_a_layer_of_its_own_and_undone() {
     let before = hand.look().clone();
     // On the side away from the light.
     stroke(&mut hand, "Light", &[[0.35, -0.2], [0.5, -0.35], [0.4, -0.5]]);
-    let [was, is] = {
-        hand.press("Light it there");
-        hand.app().fitting().errors().unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()))
-    };
+    hand.press("Light it there");
+    let [was, is] = hand
+        .app()
+        .fitting()
+        .errors()
+        .unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
     assert!(is < 0.7 * was, "{is} of {was}");
     assert_eq!(*hand.look(), before, "a preview is no edit");
     assert!(hand.app().session().sketchbook().preview().is_some());
@@ -171,7 +173,7 @@ fn a_stroke_is_lit_there_by_a_layer_of_its_own_and_undone() {
     let lighter = |place: [f64; 2]| brightness(&after, place) - brightness(&before, place);
     let there = lighter([0.45, -0.35]);
     assert!(there > 0.04, "{there}");
-    for place in [[-0.5, 0.4], [0.0, 0.6], [-0.6, -0.2], [-0.2, -0.6]] {
+    for place in [[-0.5, 0.4], [0.0, 0.6], [-0.6, -0.2], [-0.5, -0.5]] {
         let moved = lighter(place).abs();
         assert!(moved < 0.04 && moved < 0.5 * there, "{place:?}: {moved}");
     }

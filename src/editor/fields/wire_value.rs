@@ -96,7 +96,7 @@ mod tests {
 
     const LOOK: &str = r#"{"lights": {"key": {"name": "Sun"}}, "nodes": [
       {"id": "base", "kind": "base"}, {"id": "rim", "kind": "light_layer", "name": "Rim"},
-      {"id": "rim-2", "kind": "light_layer", "name": "Rim"}, {"id": "own", "kind": "missing"}]}"#;
+      {"id": "rim_2", "kind": "light_layer", "name": "Rim"}, {"id": "own", "kind": "missing"}]}"#;
 
     fn wire(path: &str, name: &str, numbers: &[f64]) -> WireValue {
         WireValue {
@@ -125,7 +125,7 @@ mod tests {
             wire("base", "base_2", &[1.0; 4]),
             wire("rim/color", "rim_color_convex", &[1.0; 4]),
             wire("rim/color", "rim_color", &[1.0; 4]),
-            wire("rim-2/color", "rim_color_2", &[1.0; 4]),
+            wire("rim_2/color", "rim_color_2", &[1.0; 4]),
             of_light(wire("rim/angle", "rim_angle", &[0.5, 0.5])),
             wire("own", "own", &[1.0]),
             wire("own", "own_2", &[1.0]),
