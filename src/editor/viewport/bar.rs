@@ -20,7 +20,6 @@ use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::state::wire::Style;
 use crate::tools::notice::stand_below;
-use crate::tools::probe::wire_name;
 use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
 use crate::widgets::number::number_slider;
@@ -356,9 +355,9 @@ fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
 /// Says that a wire is viewed in place of the picture, with a button that leads back.
 fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let wire = session.view.wire.as_ref()?;
-    let node = session.look_with_library().node_at(&wire.node)?;
-    let kind = session.project.catalog.of(node);
-    let name = wire_name(session, &wire.node);
+    let look = session.look_with_library();
+    let kind = look.catalog.of(look.node_at(&wire.node)?);
+    let name = look.title_of_path(&wire.node);
     let port = kind
         .and_then(|kind| {
             let port = &kind.outputs[kind.output(wire.port.as_str())?];

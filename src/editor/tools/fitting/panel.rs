@@ -21,6 +21,8 @@ use crate::widgets::theme;
 
 /// Largest number of layers that can be fitted from nothing here.
 pub(super) const MOST_LAYERS: usize = 5;
+/// Least share of the error whose loss is told as a success, 0 to 1.
+const LEAST_SHARE: f64 = 0.2;
 
 impl FitTool {
     /// Shows the panel.
@@ -141,17 +143,29 @@ impl FitTool {
         errors(ui, report);
         if outcome.applied.is_none() && report.is_far_off() {
             let advice = self.advice(outcome.what, report);
-            let text = match outcome.what {
-                FitGoal::Local => {
-                    tr!("Layers over the look found nothing nearer: Misses shows where it is off. \
-                         {advice}")
-                }
-                FitGoal::ThisLook | FitGoal::Layers(_) => tr!(
-                    "Turning {tried} found nothing nearer: Misses shows where it is off. {advice}",
-                    tried = told_of(&report.tried)
+            let colors = theme::of(ui);
+            let (text, ink) = match (percent_nearer(report), outcome.what) {
+                (Some(percent), _) => (
+                    tr!("{percent} % of the way. Misses shows where it is still off. {advice}"),
+                    colors.text,
+                ),
+                (None, FitGoal::Local) => (
+                    tr!(
+                        "Layers over the look found nothing nearer: Misses shows where it is off. \
+                         {advice}"
+                    ),
+                    colors.accent,
+                ),
+                (None, FitGoal::ThisLook | FitGoal::Layers(_)) => (
+                    tr!(
+                        "Turning {tried} found nothing nearer: Misses shows where it is off. \
+                         {advice}",
+                        tried = told_of(&report.tried)
+                    ),
+                    colors.accent,
                 ),
             };
-            ui.label(RichText::new(text).color(theme::of(ui).accent));
+            ui.label(RichText::new(text).color(ink));
         }
         choice(ui, outcome, out);
         changes(ui, report, session);
@@ -234,6 +248,12 @@ impl FitTool {
                 .labelled_by(label.id);
         });
     }
+}
+
+/// Share of the error that a fit took away, in percent; `None` for one that is hardly seen.
+pub(super) fn percent_nearer(report: &FitReport) -> Option<u32> {
+    let share = 1.0 - report.after / report.before.max(f64::MIN_POSITIVE);
+    (share >= LEAST_SHARE).then(|| (100.0 * share).floor() as u32)
 }
 
 /// Shows the errors before and after the fit.
