@@ -216,8 +216,9 @@ fn views(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             out.push(Command::View(ViewCommand::Reset));
         }
         let help =
-            tr!("The camera, the turn of the lights and the backdrop of the picture become the \
-                 shot's: at this frame where they are keyed");
+            tr!("The camera of the picture becomes the shot's, and a backdrop that was chosen: at \
+                 this frame where they are keyed. The lights stay the shot's: a turn of them is kept \
+                 over the picture");
         let keep = ui.add_enabled(!follows, Button::new(tr!("Keep view")));
         keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, tr!("Keep this view")));
         if keep.on_hover_text(help).clicked() {
