@@ -33,6 +33,8 @@
 //! - Outlines: `shaders/lib/edge_map.wgsl` finds edges, `shaders/lib/line_map.wgsl` how far they
 //!   are, `shaders/lib/lines.wgsl` what lines cover; the order of passes is that of the table.
 //! - Languages of exports: `scene/export/mod.rs` (`LANGUAGES`).
+//! - Pixels that stay from frame to frame: `render/kept.rs`; which ones, by
+//!   `scene/frame/plan/look_inputs.rs` (`LookInputs`).
 //! - Looks drawn over the picture: `scene/frame/deferred/mod.rs` (`Deferral`), chosen in
 //!   `scene/frame/plan/deferral.rs`, drawn in `render/deferred/mod.rs`.
 //!

@@ -11,7 +11,7 @@ use super::render;
 use super::target::{OutputPath, outputs};
 use super::used_files;
 use crate::diag::Diagnostic;
-use crate::files::OutputKind;
+use crate::files::{OutputKind, shortened};
 use crate::film::FrameList;
 use crate::film::farm::simulation::{FarmFigures, FarmSettings, simulate};
 use crate::film::farm::{FARMS, Farm, FarmJob};
@@ -170,7 +170,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     })?;
     render::rehearse(&render::Arguments::of_words(words)?, target, output)?;
     let outside = used_files::outside(&here, document);
-    output.diagnostics(outside_warning(&here, &outside).as_slice());
+    let own = shortened(&here.join(document));
+    output.diagnostics(outside_warning(&here, &own, &outside).as_slice());
     let sheet = arguments.sheet.clone().unwrap_or_else(|| folder.join("sheet.png"));
     let job = FarmJob {
         name: name_of(document),
@@ -240,7 +241,7 @@ fn frames_of(
 const NAMED: usize = 6;
 
 /// A warning of files outside the folder of a job, which its machines must find at the same paths.
-fn outside_warning(folder: &Path, outside: &[PathBuf]) -> Option<Diagnostic> {
+fn outside_warning(folder: &Path, document: &Path, outside: &[PathBuf]) -> Option<Diagnostic> {
     if outside.is_empty() {
         return None;
     }
@@ -248,18 +249,35 @@ fn outside_warning(folder: &Path, outside: &[PathBuf]) -> Option<Diagnostic> {
     let named = named.collect::<Vec<_>>().join(", ");
     let left = outside.len().saturating_sub(NAMED);
     let more = if left > 0 { format!(" and {left} more") } else { String::new() };
+    let is_outside = outside.iter().any(|path| path == document);
+    let what = match (is_outside, outside.len()) {
+        (true, 1) => "the document lies outside this folder",
+        (true, _) => "the document and files that it reads lie outside this folder",
+        (false, _) => "the document reads files outside this folder",
+    };
     let message = format!(
-        "the document reads files outside this folder, which every machine must have at the same \
-         path: {named}{more}"
+        "{what}, in which tasks run; every machine must have the same at the same path: \
+         {named}{more}"
     );
-    let all: Vec<&Path> = std::iter::once(folder).chain(outside.iter().map(|p| &**p)).collect();
-    let problem = Diagnostic::warning("farm", message);
-    Some(match used_files::common_folder(&all) {
-        Some(common) => {
-            problem.hint(format!("write the job in {}, which has all", common.display()))
+    let files: Vec<&Path> = outside.iter().map(|path| &**path).collect();
+    let all = [&[folder], &files[..]].concat();
+    let with_frames = used_files::common_folder(&all);
+    let with_files = used_files::common_folder(&files).filter(|_| is_outside);
+    let hint = match (with_frames, with_files) {
+        (Some(common), _) => {
+            format!("call chiaro farm in {}, which has all", common.display())
         }
-        None => problem.hint("copy them beside the document"),
-    })
+        (None, Some(common)) => format!(
+            "call chiaro farm in {}, which has them, and let -o name the frames from there",
+            common.display()
+        ),
+        (None, None) => format!(
+            "lay them on a disk that all machines share, or into {} with the document's paths to \
+             them changed",
+            folder.display()
+        ),
+    };
+    Some(Diagnostic::warning("farm", message).hint(hint))
 }
 
 /// A name of letters, digits, `_` and `.`, which every farm takes.
@@ -297,4 +315,31 @@ fn tell(arguments: &Arguments, workers: u32, frames: &FrameList, output: &Output
     );
     let calm = FarmSettings { between_failures: f64::INFINITY, ..settings };
     told("no machine fails", simulate(calm));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_outside_a_job_are_told_with_what_helps() {
+        let told = |document: &str, outside: &[&str]| {
+            let outside: Vec<PathBuf> = outside.iter().map(PathBuf::from).collect();
+            let told = outside_warning(Path::new("/job/here"), Path::new(document), &outside);
+            told.map(|mut told| (told.message, told.hints.remove(0)))
+        };
+        assert_eq!(told("/job/here/shot.json", &[]), None);
+        let (message, hint) = told("/job/here/shot.json", &["/job/looks/a.json"]).unwrap();
+        assert!(message.starts_with("the document reads files outside"), "{message}");
+        assert_eq!(hint, "call chiaro farm in /job, which has all");
+        // A copy of the document beside itself helped nobody.
+        let (message, hint) = told("/film/shot.json", &["/film/shot.json"]).unwrap();
+        assert!(message.starts_with("the document lies outside"), "{message}");
+        assert!(hint.starts_with("call chiaro farm in /film,"), "{hint}");
+        let (message, hint) = told("/film/s/a.json", &["/film/m.obj", "/film/s/a.json"]).unwrap();
+        assert!(message.starts_with("the document and files"), "{message}");
+        assert!(hint.starts_with("call chiaro farm in /film,"), "{hint}");
+        let (_, hint) = told("/job/here/shot.json", &["/mesh/m.obj"]).unwrap();
+        assert!(hint.contains("share") && hint.contains("/job/here"), "{hint}");
+    }
 }

@@ -31,9 +31,10 @@ The target is painted over the picture that `chiaro render` makes, at the same s
 mesh and camera. Where it is
 transparent nothing is wished; alpha is how much a pixel counts. Lights, profiles and colors are \
 turned until the look shows
-what was painted; its nodes and wires stay. --keep and --keep-rest are Keep and Keep the rest of \
-the window's Paint light. With --layers it gets light layers in their place: as many as help, at \
-most so many.
+what was painted; its nodes and wires stay. That is for a file, which mostly wishes for a whole \
+picture; --local is for a few strokes, and what the window does first. --keep and --keep-rest are \
+Keep and Keep the rest of the window's Paint light. With --layers it gets light layers in their \
+place: as many as help, at most so many.
 Pixels at the outline of an object are left out, for a smooth picture has mixed them with what is \
 behind.";
 

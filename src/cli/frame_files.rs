@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::target::{OutputPath, outputs};
 use super::view::{ViewArguments, shown};
 use crate::diag::Diagnostic;
-use crate::document::parse_hex;
+use crate::document::read_hex;
 use crate::figures;
 use crate::files::{self, OutputKind, Outputs, WalkBounds};
 use crate::film::sheet::scaled;
@@ -248,7 +248,7 @@ pub(super) fn files(
 
 /// A color as shown, behind transparent pictures.
 fn parse_backdrop(text: &str) -> Result<[f64; 3], String> {
-    let color = parse_hex(text).map(|[red, green, blue, _]| [red, green, blue]);
+    let color = read_hex(text).map(|[red, green, blue, _]| [red, green, blue]);
     color.ok_or_else(|| "write a color such as #202428".to_owned())
 }
 

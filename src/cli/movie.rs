@@ -1,5 +1,6 @@
 //! `chiaro movie`: frames that move, for review.
 
+use std::ffi::OsStr;
 use std::io::{Read as _, Write as _};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -16,6 +17,7 @@ const EXAMPLES: &str = "\
 Examples:
   chiaro movie 'out/####.exr' -o review.mp4
   chiaro movie 'out/####.exr' -o review.png --rate 12 --width 640
+  chiaro movie 'out/####.exr' --to apng -o review
 
 An MP4 is made by ffmpeg, where the system has it. A PNG moves by itself in every browser.";
 
@@ -25,12 +27,24 @@ An MP4 is made by ffmpeg, where the system has it. A PNG moves by itself in ever
 pub(super) struct Arguments {
     #[command(flatten)]
     shown: ShownFrames,
+    /// The format, whatever the file's name [default: that of the name's ending]
+    #[arg(long, value_enum)]
+    to: Option<MovieFormat>,
     /// Frames per second: 24, 23.976, 24000/1001
     #[arg(long, default_value = "24")]
     rate: FrameRate,
     /// Greatest width, in pixels
     #[arg(long, default_value_t = 1920, value_parser = clap::value_parser!(u32).range(16..=16_384))]
     width: u32,
+}
+
+/// Format of a movie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum MovieFormat {
+    /// MP4, by ffmpeg
+    Mp4,
+    /// PNG that moves
+    Apng,
 }
 
 /// Keyword of the seal of a movie, before its checksum.
@@ -43,22 +57,20 @@ const MOVIE: OutputKind<'static> =
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     let target = arguments.shown.target();
-    let is_png = match ending(target).as_deref() {
-        Some("png" | "apng") => true,
-        Some("mp4") => false,
-        _ => return Err(one(other_ending(target))),
+    let format = MovieFormat::of(arguments.to, target).map_err(one)?;
+    let kind = match format {
+        MovieFormat::Apng => OutputKind::PICTURE,
+        MovieFormat::Mp4 => MOVIE,
     };
-    let kind = if is_png { OutputKind::PICTURE } else { MOVIE };
     let (found, mut outputs) = arguments.shown.found(kind).map_err(one)?;
     let view = arguments.shown.view().map_err(one)?;
     let view = view.as_ref();
-    let bytes = output.watch("writing", |progress| {
-        if is_png {
+    let bytes = output.watch("writing", |progress| match format {
+        MovieFormat::Apng => {
             let count = u32::try_from(found.len()).unwrap_or(u32::MAX);
             animated(count, arguments.rate, pictures(arguments, &found, view, progress))
-        } else {
-            mp4(arguments, &found, view, progress)
         }
+        MovieFormat::Mp4 => mp4(arguments, &found, view, progress),
     });
     let bytes = bytes.map_err(|problem| match problem.place.file {
         None => one(problem.in_file(target.display().to_string())),
@@ -72,12 +84,34 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-fn ending(path: &Path) -> Option<String> {
-    Some(path.extension()?.to_str()?.to_ascii_lowercase())
+impl MovieFormat {
+    /// The format that was asked for, or else that of the file's name.
+    ///
+    /// # Errors
+    /// `cannot-write` for a name without a known ending, and `bad-argument` for one of the other
+    /// format.
+    fn of(asked: Option<Self>, target: &Path) -> Result<Self, Diagnostic> {
+        let ending = target.extension().and_then(OsStr::to_str).map(str::to_ascii_lowercase);
+        let named = match ending.as_deref() {
+            Some("png" | "apng") => Some(Self::Apng),
+            Some("mp4") => Some(Self::Mp4),
+            _ => None,
+        };
+        match (asked, named) {
+            (Some(asked), Some(named)) if asked != named => {
+                let message = format!("--to asks for another format than `{}`", target.display());
+                Err(Diagnostic::error("bad-argument", message)
+                    .hint("leave --to out, for the name's ending says the format"))
+            }
+            (Some(format), _) | (None, Some(format)) => Ok(format),
+            (None, None) => Err(other_ending(target)),
+        }
+    }
 }
 
 fn other_ending(path: &Path) -> Diagnostic {
-    let hint = format!("let its name end in .png: -o {}", path.with_extension("png").display());
+    let png = path.with_extension("png");
+    let hint = format!("let its name end in .png: -o {}; or say --to apng", png.display());
     Diagnostic::error("cannot-write", "movies are written as MP4, or as PNG that moves")
         .in_file(path.display().to_string())
         .hint(hint)
@@ -192,6 +226,22 @@ fn checksum(bytes: &[u8]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_format_is_asked_for_or_named() {
+        let of = |asked, name: &str| {
+            MovieFormat::of(asked, Path::new(name)).map_err(|problem| problem.code)
+        };
+        let (mp4, apng) = (MovieFormat::Mp4, MovieFormat::Apng);
+        assert_eq!(
+            [of(None, "a.MP4"), of(None, "a.png"), of(None, "a.apng")],
+            [Ok(mp4), Ok(apng), Ok(apng)]
+        );
+        assert_eq!([of(Some(mp4), "a"), of(Some(apng), "a.mov")], [Ok(mp4), Ok(apng)]);
+        assert_eq!(of(Some(apng), "a.png"), Ok(apng));
+        assert_eq!(of(Some(mp4), "a.png"), Err("bad-argument"));
+        assert_eq!(of(None, "a.mov"), Err("cannot-write"));
+    }
 
     #[test]
     fn a_movie_is_known_until_it_is_changed() {

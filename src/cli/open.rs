@@ -5,21 +5,27 @@ use std::path::{Component, Path, PathBuf};
 use super::output::Output;
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Document, Look, Scene};
+use crate::files::{Disk, Files};
 use crate::frame::{SetupLook, scene_of};
 use crate::library::Library;
 
+/// [`library_of`] the files of the disk.
+pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
+    library_of(&Disk, document, nodes)
+}
+
 /// The built-in library with a project's own nodes: those in the folder `nodes`, else those in
 /// `nodes/` beside the document, or beside the scene that a shot changes.
-pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
+pub(super) fn library_of(files: &dyn Files, document: &Path, nodes: Option<&Path>) -> Library {
     let beside = |document: &Path| document.parent().unwrap_or(Path::new("")).join("nodes");
-    let mut beside = [document.to_path_buf(), scene_of(&crate::files::Disk, document)]
+    let mut beside = [document.to_path_buf(), scene_of(files, document)]
         .map(|document| beside(&document))
         .into_iter();
     let beside = beside.find(|folder| nodes.is_none() && folder.is_dir()).unwrap_or_default();
     match nodes {
-        Some(folder) => Library::built_in().with_project(&crate::files::Disk, folder),
+        Some(folder) => Library::built_in().with_project(files, folder),
         None if beside.as_os_str().is_empty() => Library::built_in().clone(),
-        None => Library::built_in().with_project(&crate::files::Disk, &beside),
+        None => Library::built_in().with_project(files, &beside),
     }
 }
 
@@ -78,7 +84,7 @@ pub(super) fn beside(folder: &Path, path: &str) -> String {
 
 /// Reads a look; prints its warnings, and returns errors for a scene or a broken look.
 pub(super) fn open_look(path: &Path, output: &Output) -> Result<SetupLook, Vec<Diagnostic>> {
-    let loaded = match Document::load(&crate::files::Disk, path) {
+    let loaded = match Document::load(&Disk, path) {
         Document::Look(loaded) => loaded,
         Document::Scene(scene) => return Err(vec![not_a_look(path, scene.value.as_ref())]),
         Document::Shot(_) => {

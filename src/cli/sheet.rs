@@ -5,7 +5,7 @@ use super::output::Output;
 use super::render::check_png;
 use crate::diag::Diagnostic;
 use crate::files::OutputKind;
-use crate::film::sheet::{self, SheetCell, columns_for};
+use crate::film::sheet::{self, SheetCell, SheetLabel, columns_for};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -46,7 +46,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
             progress.add(u64::from(at > 0));
             let file = &found[*index];
             let picture = arguments.shown.picture(file, arguments.width, view.as_ref())?;
-            Ok(SheetCell { picture, labels: vec![file.label()] })
+            Ok(SheetCell { picture, labels: vec![SheetLabel::Text(file.label())] })
         };
         shown.iter().enumerate().map(cell).collect::<Result<Vec<_>, Diagnostic>>()
     });

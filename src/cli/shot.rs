@@ -155,6 +155,9 @@ pub(super) fn changes_text(
         if change.step > 1 {
             let _ = write!(text, " {}", stepping(change.step));
         }
+        if from == to {
+            text += "  (the same as below)";
+        }
         if !change.stands {
             text += "  (changed again)";
         }

@@ -4,7 +4,7 @@
 use serde_json::Value as Json;
 
 use crate::catalog::values;
-use crate::document::{ColorSpace, Look, Target, json_of_value, linear_to_srgb, parse_hex};
+use crate::document::{ColorSpace, Look, Target, json_of_value, linear_to_srgb, read_hex};
 use crate::frame::ValueChange;
 use crate::library::Library;
 
@@ -41,7 +41,7 @@ pub fn value_before(change: &ValueChange, look: &Look, library: &Library) -> Jso
 
 /// True for a color in hexadecimal.
 pub fn is_hex(value: &Json) -> bool {
-    value.as_str().and_then(parse_hex).is_some()
+    value.as_str().and_then(read_hex).is_some()
 }
 
 /// A color as the window's fields have it, `#ff8000`; `None` for what no screen shows.

@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use chiaro_locale::tr;
 
-use crate::compile::{AovSource, BentLights, StackPart, StackParts, StepId, Transfer, check};
+use crate::compile::{
+    AovSource, BentLights, StackPart, StackParts, StepId, Transfer, TransferTable, check,
+};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::{AovRequest, Setup};
@@ -24,14 +26,17 @@ pub enum Contributions {
     Groups,
     /// By light, and of each light by layer.
     LightsByLayer,
+    /// By group of lights, and of each group by layer.
+    GroupsByLayer,
 }
 
 /// Words of the slices, for people.
-const SLICES: [(&str, Contributions); 4] = [
+const SLICES: [(&str, Contributions); 5] = [
     ("layers", Contributions::Layers),
     ("lights", Contributions::Lights),
     ("groups", Contributions::Groups),
     ("lights-by-layer", Contributions::LightsByLayer),
+    ("groups-by-layer", Contributions::GroupsByLayer),
 ];
 
 /// Names for what comes of no light, of lights that cannot be told apart, and of lights that are
@@ -78,6 +83,7 @@ impl Contributions {
             Self::Lights => naming.of_light(light),
             Self::LightsByLayer => naming.of_light(&format!("{light}_{layer}")),
             Self::Groups => naming.of_group(groups.of(lights)),
+            Self::GroupsByLayer => naming.of_group(&format!("{}_{layer}", groups.of(lights))),
         }
     }
 }
@@ -165,20 +171,20 @@ pub fn contributions(
     let mut sliced = SlicedSteps::default();
     let mut found = ContributionLayers::default();
     let mut names_of_values = HashSet::new();
-    let mut is_whole = true;
+    let mut grades = LookGrades::default();
     for index in 0..setup.looks.len() {
         let Some(object) = setup.objects.iter().find(|object| object.looks.contains(&Some(index)))
         else {
             continue;
         };
         let look = setup.worn(index, object, library, time);
-        let StackParts { parts, after, bent } = check(&look, library, None)?.value.stack_parts();
-        is_whole &= after.is_empty();
-        warnings.extend(after.first().map(|node| cannot_be_parted(&look, node)));
+        let StackParts { parts, after, grade, bent } =
+            check(&look, library, None)?.value.stack_parts();
+        grades.add(&look, after.into_iter().next().zip(grade));
         if slices.iter().any(|slice| slice.is_by_light()) {
             for bent in &bent {
-                let (value, table) = found.push_value(index, bent, &mut names_of_values);
-                warnings.push(bends_lights(&look, bent, value, table));
+                let values = found.push_values(index, bent, &mut names_of_values);
+                warnings.push(bends_lights(&look, bent, &values));
             }
         }
         let groups = Groups::new(setup, &look);
@@ -197,71 +203,145 @@ pub fn contributions(
             }
         }
     }
-    let whole = if is_whole { naming.of_whole() } else { format!("{}_stack", naming.of_whole()) };
+    let mut whole = naming.of_whole();
+    if !grades.graded.is_empty() {
+        whole = format!("{whole}_stack");
+        found.tables.extend(grades.table(&whole));
+        warnings.extend(grades.warnings(&whole));
+    }
     let whole = AovRequest { name: whole, sources: vec![(None, AovSource::Stack)] };
     let values = std::mem::take(&mut found.layers);
     found.layers = std::iter::once(whole).chain(sliced.requests()).chain(values).collect();
     Ok(WithWarnings::new(found, warnings))
 }
 
+/// Layers of what goes into a node that bends the sum of lights.
+struct BentValues {
+    /// Names of the layers: of the one value of which all comes, or of several.
+    layers: Vec<String>,
+    /// The reason why there is no table.
+    no_table: Option<String>,
+}
+
 impl ContributionLayers {
-    /// Adds the value before a node that bends the sum of lights of a look, and its table. Returns
-    /// the name of the layer, and the reason why there is no table.
-    fn push_value(
+    /// Adds what goes into a node that bends the sum of lights of a look, with the table of one
+    /// value.
+    fn push_values(
         &mut self,
         look: usize,
         bent: &BentLights,
         taken: &mut HashSet<String>,
-    ) -> (Option<String>, Option<String>) {
-        let Some(source) = bent.value.clone() else { return (None, None) };
-        let name = free_name(&legal_name(&format!("before_{}", bent.node)), taken);
-        let sources = vec![(Some(look), source)];
-        self.layers.push(AovRequest { name: name.clone(), sources });
-        let table = bent.transfer.as_ref().map_err(Clone::clone).and_then(Transfer::table);
-        let missing = match table {
-            Ok(table) => {
-                self.tables.push(LayerTable { layer: name.clone(), table });
-                None
-            }
-            Err(reason) => Some(reason),
+    ) -> BentValues {
+        let mut push = |name: String, source: &AovSource| {
+            let name = free_name(&legal_name(&name), taken);
+            let sources = vec![(Some(look), source.clone())];
+            self.layers.push(AovRequest { name: name.clone(), sources });
+            name
         };
-        (Some(name), missing)
+        let Some(source) = &bent.value else {
+            let inputs = bent.inputs.iter();
+            let layers = inputs
+                .map(|(port, source)| push(format!("before_{}_{port}", bent.node), source))
+                .collect();
+            return BentValues { layers, no_table: None };
+        };
+        let layer = push(format!("before_{}", bent.node), source);
+        let table = bent.transfer.as_ref().map_err(Clone::clone).and_then(Transfer::table);
+        let table = table.map(|table| LayerTable { layer: layer.clone(), table });
+        let no_table = table.map(|table| self.tables.push(table)).err();
+        BentValues { layers: vec![layer], no_table }
     }
 }
 
-fn bends_lights(
-    look: &Look,
-    bent: &BentLights,
-    value: Option<String>,
-    no_table: Option<String>,
-) -> Diagnostic {
+fn bends_lights(look: &Look, bent: &BentLights, values: &BentValues) -> Diagnostic {
     let node = &bent.node;
     let message = tr!(
         "`{node}` of `{look}` bends what several lights give together: their contributions cannot \
          be parted and stay one layer, `{MIXED}`",
         look = look.name
     );
-    let hint = match (value, no_table) {
-        (Some(value), None) => {
+    let hint = match (values.layers.as_slice(), &values.no_table) {
+        ([], _) => tr!("let `{node}` run for each light, in a group that sums up after it"),
+        ([value], None) if bent.value.is_some() => {
             tr!("the layer `{value}` is what goes into it, and {value}.cube what becomes of that")
         }
-        (Some(value), Some(reason)) => {
+        ([value], Some(reason)) => {
             tr!("the layer `{value}` is what goes into it; it has no table, for {reason}")
         }
-        (None, _) => tr!("let `{node}` run for each light, in a group that sums up after it"),
+        (several, _) => tr!(
+            "the layers `{layers}` are what goes into it; it has no table, for that is of one value",
+            layers = several.join("`, `")
+        ),
     };
     Diagnostic::warning("not-parted", message).node(node.clone()).hint(hint)
 }
 
-fn cannot_be_parted(look: &Look, node: &NodePath) -> Diagnostic {
-    let message = tr!(
-        "`{node}` changes the sum of the layers of `{look}` and cannot be parted: contributions \
-         add up to what goes into it",
-        look = look.name
-    );
-    let hint =
-        tr!("grade the layers before they are laid over one another, or grade in the compositor");
-    Diagnostic::warning("not-parted", message).node(node.clone()).hint(hint)
+/// Grades after the stacks of looks.
+#[derive(Default)]
+struct LookGrades {
+    graded: Vec<LookGrade>,
+    /// True if some look ends with its stack.
+    has_plain: bool,
+}
+
+/// Grade after the stack of a look.
+struct LookGrade {
+    look: String,
+    /// The last node of the grade.
+    node: NodePath,
+    /// What becomes of the stack, or the reason why no table says it.
+    table: Result<TransferTable, String>,
+}
+
+impl LookGrades {
+    fn add(&mut self, look: &Look, grade: Option<(NodePath, Result<Transfer, String>)>) {
+        let Some((node, transfer)) = grade else {
+            self.has_plain = true;
+            return;
+        };
+        let table = transfer.and_then(|transfer| transfer.table());
+        self.graded.push(LookGrade { look: look.name.clone(), node, table });
+    }
+
+    /// True if the looks of the picture have one grade.
+    fn is_one(&self) -> bool {
+        !self.has_plain && self.graded.windows(2).all(|pair| pair[0].table == pair[1].table)
+    }
+
+    /// The table of the layer that holds the stacks.
+    fn table(&self, layer: &str) -> Option<LayerTable> {
+        let table = self.graded.first().filter(|_| self.is_one())?.table.clone().ok()?;
+        Some(LayerTable { layer: layer.to_owned(), table })
+    }
+
+    fn warnings(&self, layer: &str) -> impl Iterator<Item = Diagnostic> {
+        let is_one = self.is_one();
+        self.graded.iter().map(move |grade| grade.warning(layer, is_one))
+    }
+}
+
+impl LookGrade {
+    fn warning(&self, layer: &str, is_one: bool) -> Diagnostic {
+        let Self { look, node, table } = self;
+        let message = tr!(
+            "`{node}` changes the sum of the layers of `{look}` and cannot be parted: contributions \
+             add up to what goes into it"
+        );
+        let hint = match table {
+            Ok(_) if is_one => tr!(
+                "{layer}.cube is what becomes of `{layer}`, divided by `A`: look it up after the \
+                 sum"
+            ),
+            Ok(_) => tr!(
+                "`{layer}` has no table, for the looks of the picture are graded in different ways"
+            ),
+            Err(reason) => tr!("`{layer}` has no table, for {reason}"),
+        };
+        Diagnostic::warning("not-parted", message)
+            .node(node.clone())
+            .hint(hint)
+            .hint(tr!("or grade the layers before they are laid over one another"))
+    }
 }
 
 /// The contributions of lights by the lights' names, for a matte of them.

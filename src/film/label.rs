@@ -35,13 +35,36 @@ impl Typeface {
         Some(Self { font, size, advance, line: (pixels * 1.4).ceil() as u32 })
     }
 
+    /// Number of signs that so many pixels have room for.
+    fn room(&self, width: u32) -> usize {
+        (width as f32 / self.advance).floor() as usize
+    }
+
     /// The text, cut where it is wider than so many pixels.
     pub(crate) fn fitted(&self, text: &str, width: u32) -> String {
-        let room = (width as f32 / self.advance).floor() as usize;
+        let room = self.room(width);
         if text.chars().count() <= room {
             return text.to_owned();
         }
         text.chars().take(room.saturating_sub(1)).chain((room > 0).then_some(CUT)).collect()
+    }
+
+    /// A name with its value, `NAME = VALUE`. Where it is wider than so many pixels the name loses
+    /// its front, down to nothing, before the value is cut.
+    pub(crate) fn fitted_value(&self, name: &str, value: &str, width: u32) -> String {
+        let (room, length) = (self.room(width), name.chars().count());
+        for equals in [" = ", "="] {
+            let left = room.saturating_sub(equals.len() + value.chars().count());
+            if length <= left {
+                return format!("{name}{equals}{value}");
+            }
+            // One sign beside the one that stands for the rest.
+            if left >= 2 {
+                let end: String = name.chars().skip(length - (left - 1)).collect();
+                return format!("{CUT}{end}{equals}{value}");
+            }
+        }
+        self.fitted(value, width)
     }
 
     /// Draws a line of text whose upper left corner is at a pixel. What lies outside is left out.
@@ -206,5 +229,21 @@ mod tests {
         let cut = face.fitted(&"x".repeat(90), 100);
         assert!(cut.ends_with(CUT) && cut.chars().count() as f32 * face.advance <= 100.0, "{cut}");
         assert_eq!(face.fitted("abc", 0), "");
+    }
+
+    #[test]
+    fn names_are_cut_before_their_values() {
+        let face = Typeface::new(15.0).unwrap();
+        let fitted = |value: &str, signs: u32| {
+            let width = (face.advance * signs as f32).ceil() as u32;
+            face.fitted_value("moon.intensity", value, width)
+        };
+        assert_eq!(fitted("0.5", 20), "moon.intensity = 0.5");
+        assert_eq!(fitted("0.5", 10), "…ity = 0.5");
+        assert_eq!(fitted("0.8333", 10), "…ty=0.8333");
+        assert_eq!(fitted("#88aaff", 8), "#88aaff");
+        assert_eq!(fitted("#88aaff", 4), "#88…");
+        assert_eq!(fitted("0.5", 0), "");
+        assert_eq!(face.fitted_value("t", "0.25", 96), "t = 0.25");
     }
 }

@@ -1,5 +1,7 @@
 //! Contact sheets: pictures in rows, each with its labels below.
 
+use std::fmt::{Display, Formatter};
+
 use chiaro_locale::tr;
 
 use crate::diag::Diagnostic;
@@ -28,7 +30,34 @@ pub struct SheetCell {
     /// The picture, small: see [`scaled`]. Opaque.
     pub picture: Picture,
     /// Lines below it.
-    pub labels: Vec<String>,
+    pub labels: Vec<SheetLabel>,
+}
+
+/// Line below a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SheetLabel {
+    /// A text, whose end is cut where it is too long.
+    Text(String),
+    /// A name and its value, of which the value stays whole.
+    Value(String, String),
+}
+
+impl SheetLabel {
+    fn fitted(&self, face: &Typeface, width: u32) -> String {
+        match self {
+            Self::Text(text) => face.fitted(text, width),
+            Self::Value(name, value) => face.fitted_value(name, value, width),
+        }
+    }
+}
+
+impl Display for SheetLabel {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Text(text) => f.write_str(text),
+            Self::Value(name, value) => write!(f, "{name} = {value}"),
+        }
+    }
 }
 
 /// Number of columns of a sheet of so many pictures, so that it is somewhat wider than high.
@@ -85,7 +114,7 @@ pub fn draw_with_places(
         places.push([x, y, picture.size[0], picture.size[1]]);
         for (line, label) in labels.iter().enumerate() {
             let y = y + picture.size[1] + NEAR + line as u32 * text.line;
-            text.draw(&mut sheet, [x, y], &text.fitted(label, cell[0]), INK);
+            text.draw(&mut sheet, [x, y], &label.fitted(&text, cell[0]), INK);
         }
     }
     Ok((sheet, places))
@@ -182,7 +211,7 @@ mod tests {
     fn cells_stand_in_rows_with_their_labels() {
         let cell = |gray, label: &str| SheetCell {
             picture: flat([40, 30], gray),
-            labels: vec![label.to_owned(), "2".to_owned()],
+            labels: [label, "2"].map(|text| SheetLabel::Text(text.to_owned())).to_vec(),
         };
         let cells = [cell(0.9, "first"), cell(0.5, "second"), cell(0.7, "third")];
         let (sheet, places) = draw_with_places("title", &cells, 2).unwrap();

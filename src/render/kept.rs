@@ -14,6 +14,10 @@ use crate::Renderer;
 use crate::frame::{FramePlan, LookInputs, PixelArea, ShadedShare};
 use crate::passes::BlankPipeline;
 
+/// Side of the blocks of pixels in which areas begin and end: software Vulkan finds other last
+/// digits of depths in the blocks that a scissor rectangle cuts.
+pub(crate) const BLOCK: u32 = 64;
+
 /// Pixels of the last picture, where they are kept.
 #[derive(Debug, Default)]
 pub(crate) struct KeptPixels {

@@ -1201,6 +1201,9 @@ mod gpu {
                 &["--camera", "orbit=0,90;fov=60", "--backdrop", "none", "--turn-lights", "-30,10"]
             )
         );
+        // One digit a channel says as much as two.
+        let before = |color| shoot("e.png", &["--on", "reference", "--backdrop", color]);
+        assert_eq!(before("#28a"), before("#2288aa"));
     }
 
     #[test]

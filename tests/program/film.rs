@@ -198,6 +198,8 @@ fn frames_are_shown_on_a_sheet_and_as_a_movie() {
     let count = movie.windows(4).filter(|bytes| *bytes == b"fcTL").count();
     assert_eq!(count, 4, "a control for each frame");
     assert!(image::load_from_memory(&movie).is_ok(), "others show the first frame");
+    stage.done(&["movie", "a.####.exr", "--to", "apng", "-o", "moves", "--rate", "12"]);
+    assert!(fs::read(stage.path("moves")).unwrap() == movie);
     // Without ffmpeg another way is told.
     let mut command = stage.command(&["movie", "a.####.exr", "-o", "review.mp4"]);
     let ran = command.env("PATH", stage.folder()).output().unwrap();
@@ -400,7 +402,7 @@ fn jobs_of_farms_hand_every_option_on() {
     let far = far.output().unwrap();
     let said = String::from_utf8_lossy(&far.stderr);
     let folder = stage.path("").canonicalize().unwrap();
-    let hint = format!("write the job in {}", folder.display());
+    let hint = format!("call chiaro farm in {}", folder.display());
     assert!(said.contains("outside this folder") && said.contains(&hint), "{said}");
     let template: Json = serde_json::from_slice(&far.stdout).unwrap();
     let look = folder.join("look.json").display().to_string();
@@ -511,6 +513,61 @@ fn a_full_disk_a_vanished_mesh_and_a_changed_look_lose_nothing() {
     let words: Vec<&str> = states.iter().map(|line| line["state"].as_str().unwrap()).collect();
     assert_eq!(words, ["drawn"; 4]);
     stage.done(&["verify", "a.#.exr", "--frames", "0-3"]);
+}
+
+#[test]
+fn runs_on_one_adapter_are_equal_to_the_bit() {
+    let stage = Stage::new();
+    let on_gpu = RENDER.map(|word| match word {
+        "reference" => "gpu",
+        "1" => "4",
+        other => other,
+    });
+    for pattern in ["a.##.exr", "b.##.exr"] {
+        let drawn = [&on_gpu[..], &["-o", pattern, "--frames", "0,9,18"]].concat();
+        assert_eq!(states(&stage.done(&drawn)[0]), ["drawn"; 3], "each is a picture of its own");
+    }
+    let read = |name: &str| fs::read(stage.path(name)).unwrap();
+    for frame in ["00", "09", "18"] {
+        assert!(read(&format!("a.{frame}.exr")) == read(&format!("b.{frame}.exr")), "{frame}");
+    }
+    stage.done(&["verify", "b.##.exr", "--frames", "0,9,18", "--against", "a.##.exr"]);
+}
+
+#[test]
+fn files_that_change_while_frames_are_drawn_of_them_are_told() {
+    use std::process::Stdio;
+    let stage = Stage::new();
+    fs::write(stage.path("mesh.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    // Lines of all frames are longer than a pipe holds: the run waits until they are read.
+    let long: PathBuf = ["f".repeat(200), "g".repeat(200), "h".repeat(200)].iter().collect();
+    fs::create_dir_all(stage.path("out").join(&long)).unwrap();
+    let pattern = Path::new("out").join(&long).join("#.png").display().to_string();
+    let on_mesh = RENDER.map(|word| if word == "shape:sphere" { "mesh.obj" } else { word });
+    let words = [&on_mesh[..], &["-o", &pattern, "--frames", "0-199"]].concat();
+    let mut command = stage.command(&words);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let first = stage.path("out").join(&long).join("0.png");
+    while !first.exists() {
+        std::thread::yield_now();
+    }
+    stage.write_look(0.25);
+    let mesh = fs::read(stage.path("mesh.obj")).unwrap();
+    fs::remove_file(stage.path("mesh.obj")).unwrap();
+    let ran = child.wait_with_output().unwrap();
+    let said = String::from_utf8(ran.stderr).unwrap();
+    assert_eq!(ran.status.code(), Some(1), "{said}");
+    let reason = said.lines().last().unwrap();
+    assert!(reason.starts_with("error[files-changed]"), "the reason is the last line: {said}");
+    assert!(reason.contains("look.json (all frames are of it as it was)"), "{reason}");
+    assert!(reason.contains("mesh.obj (gone; all frames"), "{reason}");
+    // Nothing is lost, and nothing old is kept.
+    assert_eq!(states(&String::from_utf8(ran.stdout).unwrap()), ["drawn"; 200]);
+    stage.done(&["verify", &pattern, "--frames", "0-199"]);
+    fs::write(stage.path("mesh.obj"), mesh).unwrap();
+    let again = [&on_mesh[..], &["-o", &pattern, "--frames", "0-3"]].concat();
+    assert_eq!(states(&stage.done(&again)[0]), ["drawn"; 4]);
+    assert_eq!(states(&stage.done(&again)[0]), ["kept"; 4]);
 }
 
 #[cfg(unix)]

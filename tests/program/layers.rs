@@ -166,6 +166,45 @@ fn contributions_of_layers_and_lights_are_the_picture() {
 }
 
 #[test]
+fn groups_of_lights_are_told_apart_within_each_layer() {
+    let folder = RenderFolder::with_scene();
+    let path = folder.path("look.json");
+    let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    // A second layer of the back, by a lamp of its own.
+    look["lights"]["kick"] = json!({"direction": [-0.8, -0.2, 0.1], "groups": ["back"]});
+    let values = json!({"light": "kick", "blend": "alpha", "convex": [0.4, 0.1, 0.1, 0.6]});
+    let kick = json!({"id": "kick", "kind": "light_layer", "name": "KICK", "values": values});
+    look["nodes"].as_array_mut().unwrap().push(kick);
+    look["wires"][2]["to"] = json!("kick.below");
+    let last = json!({"from": "kick.below", "to": "output.color"});
+    look["wires"].as_array_mut().unwrap().push(last);
+    fs::write(&path, look.to_string()).unwrap();
+    let asked = ["--on", "reference", "--size", "24x20", "--aov", "groups-by-layer"];
+    let drawn = folder.layers(&folder.path("scene.json"), &asked);
+    let names: Vec<_> = drawn.names().into_iter().filter(|name| name.ends_with(".R")).collect();
+    let expected = [
+        "beauty.R",
+        "group_back_KICK.R",
+        "group_back_RIM.R",
+        "group_front_KEY.R",
+        "group_unlit_Base.R",
+    ];
+    assert_eq!(names, expected);
+    for layer in &expected[1..] {
+        assert!(drawn.channel(layer).iter().any(|red| *red > 0.02), "{layer} shows something");
+    }
+    assert!(drawn.worst_sum("group_", "beauty") <= 1.0);
+    // What a group adds within its layers is what it adds.
+    let groups =
+        folder.layers(&folder.path("scene.json"), &[&asked[..], &["--aov", "groups"]].concat());
+    assert!(groups.worst_sum("group_back_", "group_back") <= 1.0);
+    let listed = folder.run(&folder.path("scene.json"), &["--list-aovs"]);
+    let listed = String::from_utf8(listed.stdout).unwrap();
+    let row = listed.lines().find(|line| line.starts_with("  --aov groups-by-layer  "));
+    assert!(row.is_some_and(|row| row.contains("group_back_KICK")), "{listed}");
+}
+
+#[test]
 fn contributions_of_examples_add_up() {
     // Clamps, modes of both kinds of blends, lights in a group that runs for each, a limit.
     for look in ["figure6-comics", "lights-summed", "hatching", "room-walls"] {
@@ -540,10 +579,10 @@ fn bent_look(kind: &str, values: &Json) -> Json {
     })
 }
 
-/// A table of one column that counts, by linear interpolation.
+/// A table of a column a channel, by linear interpolation.
 struct Cube {
     last: f64,
-    rows: Vec<f64>,
+    rows: Vec<Vec<f64>>,
 }
 
 impl Cube {
@@ -555,14 +594,14 @@ impl Cube {
         let last =
             text.lines().find(|line| line.starts_with("DOMAIN_MAX")).map(numbers).unwrap()[0];
         let is_row = |line: &&str| line.starts_with(|c: char| c.is_ascii_digit() || c == '-');
-        Self { last, rows: text.lines().filter(is_row).map(|line| numbers(line)[0]).collect() }
+        Self { last, rows: text.lines().filter(is_row).map(numbers).collect() }
     }
 
-    fn at(&self, value: f64) -> f64 {
+    fn at(&self, value: f64, channel: usize) -> f64 {
         let place = (value / self.last).clamp(0.0, 1.0) * (self.rows.len() - 1) as f64;
         let below = (place as usize).min(self.rows.len() - 2);
         let share = place - below as f64;
-        self.rows[below] * (1.0 - share) + self.rows[below + 1] * share
+        self.rows[below][channel] * (1.0 - share) + self.rows[below + 1][channel] * share
     }
 }
 
@@ -590,9 +629,9 @@ fn what_bends_a_sum_is_refused_and_given_as_a_table() {
         let (mut seen, mut worst) = (0, 0.0_f64);
         for (pixel, value) in value.iter().enumerate() {
             let (value, layer) = (f64::from(*value), f64::from(layer[pixel]));
-            let (least, most) = (cube.at(value - width), cube.at(value + width));
+            let (least, most) = (cube.at(value - width, 0), cube.at(value + width, 0));
             worst = worst.max(least - layer).max(layer - most);
-            let found = cube.at(value);
+            let found = cube.at(value, 0);
             seen += usize::from(found > 0.1 && found < 0.9);
         }
         assert!(seen > 50 && worst < 2.0_f64.powi(-10), "{kind}: {seen} seen, {worst} off");
@@ -608,6 +647,65 @@ fn what_bends_a_sum_is_refused_and_given_as_a_table() {
     fs::write(&path, each.to_string()).unwrap();
     let drawn = folder.layers(&path, &asked);
     assert!(!drawn.names().iter().any(|name| name.contains("mixed")), "{:?}", drawn.names());
+}
+
+#[test]
+fn what_follows_a_stack_is_given_as_a_table() {
+    let folder = RenderFolder::new();
+    let asked = ["--aov", "layers", "--mesh", "shape:sphere", "--samples", "1"];
+    let asked =
+        [&asked[..], &["--depth", "float", "--on", "reference", "--size", "24x20"]].concat();
+    let said = |look: &Path| {
+        let told = folder.run(look, &[&asked[..], &["-o", "out.exr", "--force"]].concat());
+        String::from_utf8(told.stderr).unwrap()
+    };
+    let film = example("film-print.json");
+    let told = said(&film);
+    assert!(told.contains("`print` changes") && told.contains("beauty_stack.cube"), "{told}");
+    let drawn = folder.layers(&film, &asked);
+    let cube = Cube::read(&folder.path("out.beauty_stack.cube"));
+    let encoded = |light: f64| match light <= 0.003_130_8 {
+        true => 12.92 * light,
+        false => 1.055 * light.powf(1.0 / 2.4) - 0.055,
+    };
+    let mut seen = 0;
+    for (channel, name) in ["R", "G", "B"].into_iter().enumerate() {
+        let (stack, light) = (drawn.channel(&format!("beauty_stack.{name}")), drawn.channel(name));
+        let covered = drawn.channel("A").iter().enumerate().filter(|(_, alpha)| **alpha == 1.0);
+        for (pixel, _) in covered {
+            let shown = encoded(f64::from(light[pixel]));
+            let found = cube.at(f64::from(stack[pixel]), channel);
+            assert!((found - shown).abs() < 1e-3, "{name} {pixel}: {found} {shown}");
+            seen += usize::from((shown - f64::from(stack[pixel])).abs() > 0.02);
+        }
+    }
+    assert!(seen > 100, "the print is seen: {seen}");
+    // What mixes channels is no table of them.
+    let mut look: Json = serde_json::from_slice(&fs::read(&film).unwrap()).unwrap();
+    let nodes = look["nodes"].as_array_mut().unwrap();
+    let print = nodes.iter_mut().find(|node| node["id"] == "print").unwrap();
+    *print = json!({"id": "print", "kind": "hsv_adjust", "values": {"saturation": 0.4}});
+    fs::write(folder.path("gray.json"), look.to_string()).unwrap();
+    let told = said(&folder.path("gray.json"));
+    assert!(told.contains("each of its channels depends on all three"), "{told}");
+}
+
+#[test]
+fn several_values_before_a_node_are_layers() {
+    let folder = RenderFolder::new();
+    let look = example("highlight-cut.json");
+    let asked = ["--aov", "lights", "--mesh", "shape:sphere", "--on", "reference"];
+    let asked = [&asked[..], &["--size", "24x20"]].concat();
+    let told = folder.run(&look, &[&asked[..], &["-o", "out.exr", "--force"]].concat());
+    let told = String::from_utf8(told.stderr).unwrap();
+    assert!(told.contains("`before_rim_dark_a`, `before_rim_dark_b`"), "{told}");
+    let drawn = folder.layers(&look, &asked);
+    assert!(drawn.names().contains(&"light_mixed.R"), "{:?}", drawn.names());
+    for input in ["before_rim_dark_a.V", "before_rim_dark_b.V"] {
+        let tones = drawn.channel(input);
+        assert!(tones.iter().any(|tone| *tone > 0.4) && tones.contains(&0.0), "{input}");
+    }
+    assert!(drawn.worst_sum("light_", "beauty") <= 1.0);
 }
 
 #[test]

@@ -404,8 +404,9 @@ fn changes_are_told_taken_back_and_checked() {
         "sequence.json",
         json!({"frames": [1, 24], "later": [1, 2]}),
         json!([
-            {"target": "lights.key.color", "value": "#00ff00"},
+            {"target": "lights.key.color", "value": "#0f0"},
             {"look": "look.json", "target": "warm.offset", "value": 0.5},
+            {"target": "lights.fill.intensity", "value": 0.5},
         ]),
     );
     folder.write("shot.json", &near);
@@ -428,9 +429,14 @@ fn changes_are_told_taken_back_and_checked() {
             ("lights.key.color", "sequence.json", &no),
             ("lights.key.color", "shot.json", &yes),
             ("warm.offset", "shot.json", &yes),
+            ("lights.fill.intensity", "shot.json", &yes),
         ]
     );
     let diff = folder.done(&["shot", "shot.json", "--diff"]);
+    assert!(diff.contains("#ff0000 -> #00ff00"), "a short color: {diff}");
+    let same: Vec<&str> =
+        diff.lines().filter(|line| line.ends_with("(the same as below)")).collect();
+    assert!(same.len() == 1 && same[0].contains("lights.fill.intensity"), "{diff}");
     assert!(diff.contains("look.json#warm.offset  0.1 -> 0.5"), "{diff}");
     assert!(diff.contains("(changed again)"), "{diff}");
     let summary = folder.done(&["shot", "shot.json"]);
@@ -464,7 +470,7 @@ fn changes_are_told_taken_back_and_checked() {
 
     folder.done(&["shot", "shot.json", "--reset", "look.json#warm.offset"]);
     let read = Shot::read(&folder.read("shot.json"), "shot.json").value.unwrap();
-    assert_eq!(read.overrides.len(), 1);
+    assert_eq!(read.overrides.len(), 2);
     assert!(read.unknown.contains_key("later"), "what this version does not know survives");
     // Whoever wrote the file by hand finds it as it was, but for the line.
     let by_hand = "{ \"chiaro\":\"shot\", \"version\":1,\n\t\"overrides\": [\n\

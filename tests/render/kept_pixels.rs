@@ -12,14 +12,13 @@ use chiaro::document::{Scene, Tier};
 use chiaro::film::{AskedLayers, LayeredPlan, MatteKind};
 use chiaro::frame::{AovRequest, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject};
 use chiaro::geometry::Mesh;
-use chiaro::ids::NodePath;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
 use glam::{DMat4, DVec3};
 use serde_json::json;
 
-const SIZE: [u32; 2] = [160, 100];
+const SIZE: [u32; 2] = [384, 256];
 
 fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupObject {
     SetupObject {
@@ -73,7 +72,7 @@ fn room(looks: Vec<SetupLook>) -> Setup {
     let upright = DMat4::from_rotation_x(std::f64::consts::FRAC_PI_2);
     let last = looks.len() - 1;
     let objects = vec![
-        object(0, &wall, 0, at(0.0, 0.0, -0.5, 4.0) * upright * wide),
+        object(0, &wall, 0, at(0.0, 0.0, -0.5, 7.0) * upright * wide),
         object(1, &ball, 1.min(last), at(0.6, 0.3, 0.0, 0.3) * fitted),
         object(2, &ball, 2.min(last), at(0.7, -0.4, 0.1, 0.25) * fitted),
         object(3, &ball, last, at(-0.7, 0.0, 0.2, 0.2) * fitted),
@@ -145,7 +144,7 @@ fn what_stands_still_is_shaded_once() {
     let (objects, of, pixels) = pair.draw(&plan(&setup), "the ball is gone");
     // Its sphere was within the wall's, so that the camera stays what it is.
     assert_eq!((objects, of), (1, 3));
-    assert!(pixels < 0.2, "{pixels}");
+    assert!(pixels < 0.3, "{pixels}");
     let plain = Renderer::new(pair.gpu.clone());
     assert_eq!(plain.shaded(), None, "nothing is kept unless it is asked for");
 }
@@ -226,9 +225,8 @@ fn pictures_are_the_same_bits_whatever_moves() {
         }
         let mut planner = Planner::default();
         if round % 2 == 1 {
-            let wire = AovSource::Wire(NodePath::parse("layer"), "color".into());
-            planner.aovs =
-                vec![AovRequest { name: "layer".to_owned(), sources: vec![(None, wire)] }];
+            let sources = vec![(None, AovSource::Stack)];
+            planner.aovs = vec![AovRequest { name: "stack".to_owned(), sources }];
         }
         let samples = if round < 5 { 4 } else { 1 };
         let mut pair = Pair::new();
@@ -246,7 +244,7 @@ fn pictures_are_the_same_bits_whatever_moves() {
         }
     }
     let mean = kept / f64::from(frames);
-    assert!(mean > 0.4, "few pixels were kept: {mean}");
+    assert!(mean > 0.3, "few pixels were kept: {mean}");
 }
 
 #[test]

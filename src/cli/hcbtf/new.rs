@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{GRID_HELP, GridText, check_free, save, with_ending};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Rule, Tile, parse_hex};
+use crate::document::{Address, Grid, Hcbtf, Rule, Tile, read_hex};
 use crate::files::Outputs;
 use crate::output::Output;
 use crate::target::OutputPath;
@@ -49,6 +49,6 @@ fn color(text: &str) -> Result<[u8; 4], Vec<Diagnostic>> {
         let problem = Diagnostic::error("bad-argument", format!("--color cannot be `{text}`"));
         vec![problem.hint("write #rrggbb or #rrggbbaa, in quotes")]
     };
-    let channels = parse_hex(text).ok_or_else(wrong)?;
+    let channels = read_hex(text).ok_or_else(wrong)?;
     Ok(channels.map(|channel| (255.0 * channel).round() as u8))
 }

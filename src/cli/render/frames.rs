@@ -4,6 +4,7 @@
 //! as many as there are cores and memory for. What is whole from a run before is kept, and a frame
 //! that would be the same picture as another is not drawn.
 
+mod changes;
 mod writers;
 
 use std::collections::{HashMap, HashSet};
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::SystemTime;
 
+use changes::FileWatch;
 use serde_json::{Value as Json, json};
 use writers::write_all;
 
@@ -171,7 +173,8 @@ const MOST_FAILED: usize = 8;
 ///
 /// # Errors
 /// `frames-failed` with the frames that cannot be planned, drawn or written, each of which was told
-/// with its own reasons.
+/// with its own reasons, and `files-changed` with the files that are others by now than those that
+/// were read.
 pub(super) fn draw(
     sequence: Sequence<'_>,
     stage: Stage,
@@ -185,13 +188,15 @@ pub(super) fn draw(
     let name = executor.name();
     executor.keep_pixels();
     // Each part owns its ends of the channels, so that the others end when it does.
-    let summary = in_parallel(
+    let (watch, summary) = in_parallel(
         move || plan_all(sequence, stage, &to_draw, output),
         move || draw_all(&planned, &to_write, executor, output),
         move || write_all(sequence, &outputs, drawn, output),
     )?;
     output.message(&summary.text(clock.seconds(), &name));
-    summary.problem(sequence.frames).map_or(Ok(()), |problem| Err(vec![problem]))
+    let problems: Vec<Diagnostic> =
+        watch.problem().into_iter().chain(summary.problem(sequence.frames)).collect();
+    if problems.is_empty() { Ok(()) } else { Err(problems) }
 }
 
 /// Runs the three parts, the second one on this thread. Whichever ends first ends the others, for
@@ -200,11 +205,11 @@ pub(super) fn draw(
     clippy::disallowed_methods,
     reason = "the command line's own threads, as many as there are parts"
 )]
-fn in_parallel<W: Send>(
-    plan: impl FnOnce() + Send,
+fn in_parallel<P: Send, W: Send>(
+    plan: impl FnOnce() -> P + Send,
     draw: impl FnOnce(),
     write: impl FnOnce() -> W + Send,
-) -> Result<W, Vec<Diagnostic>> {
+) -> Result<(P, W), Vec<Diagnostic>> {
     let no_thread = |error: std::io::Error| {
         vec![Diagnostic::error("no-thread", format!("the system starts no thread: {error}"))]
     };
@@ -212,24 +217,27 @@ fn in_parallel<W: Send>(
         let planner = threads::builder("plan").spawn_scoped(scope, plan).map_err(no_thread)?;
         let writer = threads::builder("write").spawn_scoped(scope, write).map_err(no_thread)?;
         draw();
-        planner.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        Ok(writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+        let planned = planner.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        let written = writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        Ok((planned, written))
     })
 }
 
-/// Plans frame after frame; one that cannot be planned is handed on as failed. Ends early where
-/// nobody draws any more.
+/// Plans frame after frame, and watches the files that they are of; a frame that cannot be planned
+/// is handed on as failed. Ends early where nobody draws any more.
 fn plan_all(
     sequence: Sequence<'_>,
     mut stage: Stage,
     to_draw: &SyncSender<PlannedFrame>,
     output: &Output,
-) {
+) -> FileWatch {
+    let mut watch = FileWatch::new(stage.files.clone());
     let mut hasher = PlanHasher::default();
     let mut seen: HashMap<String, (i32, PathBuf)> = HashMap::new();
     let mut told = HashSet::new();
     let blended_in = blended_in(stage.setup.looks.iter().map(|worn| &worn.look));
     for &frame in sequence.frames.frames() {
+        watch.look(frame, output);
         let clock = Clock::start();
         let file = sequence.pattern.path(frame);
         let options = PlanOptions { time: sequence.rate.time(frame), ..stage.options.clone() };
@@ -279,6 +287,7 @@ fn plan_all(
             break;
         }
     }
+    watch
 }
 
 /// Key of a file: the plan that it is of, and how it was stored.

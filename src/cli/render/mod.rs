@@ -9,6 +9,7 @@ pub(super) mod wedge;
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::Arc;
 
 use serde_json::json;
 
@@ -17,23 +18,25 @@ use frames::{EarlierFrames, Sequence};
 pub(super) use present::PresentFrames;
 use progress::ProgressLines;
 
-use super::open::{check_nodes_folder, library_for};
+use super::open::{check_nodes_folder, library_of};
 use super::output::{Output, once, refuse_warnings};
 use super::scene::check_values;
 use super::target::{OutputPath, outputs, reads_all};
 use super::tier::{self, TierChoice};
+use super::used_files::RecordedFiles;
 use super::view::ViewArguments;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::{Diagnostic, Severity, WithWarnings};
-use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
+use crate::document::{Camera, ColorSpace, Look, Scene, Tier, read_hex};
 use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
 use crate::film::{
     AskedLayers, DisplayView, FrameList, FramePattern, FrameRate, LayerNaming, LayeredPlan,
     MatteKind,
 };
 use crate::frame::{
-    self, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, ShotStack, open,
+    self, AssetStore, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, ShotStack,
+    open,
 };
 use crate::library::Library;
 use crate::milestones;
@@ -111,8 +114,9 @@ pub(super) struct Arguments {
     compression: LosslessCompression,
     /// A layer of an EXR beside the picture: `NAME=NODE.OUTPUT` for an output of a node (of one
     /// look alone `NAME=LOOK:NODE.OUTPUT`), `NAME` for one that looks name, `named` for all of
-    /// those, `shadows` for those of each light, or `layers`, `lights`, `groups` or
-    /// `lights-by-layer` for what each of them adds to the picture; may be given several times
+    /// those, `shadows` for those of each light, or `layers`, `lights`, `groups`,
+    /// `lights-by-layer` or `groups-by-layer` for what each of them adds to the picture; may be
+    /// given several times
     #[arg(long = "aov", value_name = "NAME=NODE.OUTPUT")]
     aovs: Vec<String>,
     /// Lists the outputs that --aov can name, and ends
@@ -170,6 +174,8 @@ struct Stage {
     asked: AskedLayers,
     /// The most layers that one draw writes.
     most_layers: usize,
+    /// Files that were read.
+    files: Arc<RecordedFiles>,
 }
 
 impl Stage {
@@ -489,8 +495,9 @@ impl Arguments {
 
     /// Opens what is drawn.
     fn open(&self, warnings: &mut Vec<Diagnostic>) -> Result<Stage, Vec<Diagnostic>> {
-        let mut library = library_for(&self.document, self.nodes.as_deref());
-        let mut assets = Assets::default();
+        let files = Arc::new(RecordedFiles::default());
+        let mut library = library_of(&*files, &self.document, self.nodes.as_deref());
+        let mut assets = Assets::of(&AssetStore::reading_from(files.clone()));
         let (mut setup, of_document) =
             open(&self.document, self.mesh.as_deref(), &mut assets)?.into_parts();
         warnings.append(&mut library.problems);
@@ -516,7 +523,7 @@ impl Arguments {
         let live = if self.live { Live::All } else { style.live() };
         let asked = layers::asked(self, &setup, &library)?.tell(warnings);
         let planner = style.planner(assets);
-        Ok(Stage { setup, library, planner, live, options, asked, most_layers: 0 })
+        Ok(Stage { setup, library, planner, live, options, asked, most_layers: 0, files })
     }
 }
 
@@ -677,7 +684,7 @@ fn adjust(setup: &mut Setup, arguments: &Arguments) -> Result<(), Diagnostic> {
     if let Some(text) = &arguments.backdrop {
         scene.backdrop = match text.as_str() {
             "none" => None,
-            color => Some(parse_hex(color).ok_or_else(|| {
+            color => Some(read_hex(color).ok_or_else(|| {
                 bad_argument("--backdrop", color, "`none` or a color such as #202428")
             })?),
         };

@@ -15,7 +15,7 @@ use super::{ExecutorChoice, Stage, check_png, executor};
 use crate::diag::Diagnostic;
 use crate::document::Value;
 use crate::files::{self, OutputKind};
-use crate::film::sheet::{self, SheetCell, columns_for, scaled};
+use crate::film::sheet::{self, SheetCell, SheetLabel, columns_for, scaled};
 use crate::frame::{Executor, PlanOptions, PlanStyle};
 use crate::output::Output;
 use crate::target::{outputs, reads_all};
@@ -72,12 +72,12 @@ struct Cell<'a> {
 }
 
 impl Cell<'_> {
-    fn labels(&self) -> Vec<String> {
+    fn labels(&self) -> Vec<SheetLabel> {
         let varied = self.values.iter();
-        let mut labels: Vec<String> =
-            varied.map(|(target, value)| format!("{target} = {}", values::text(value))).collect();
-        labels.extend(self.frame.map(|frame| format!("frame {frame}")));
-        labels
+        let varied = varied
+            .map(|(target, value)| SheetLabel::Value((*target).to_owned(), values::text(value)));
+        let frame = self.frame.map(|frame| SheetLabel::Text(format!("frame {frame}")));
+        varied.chain(frame).collect()
     }
 
     fn json(&self, folder: &Path) -> Json {
@@ -148,7 +148,8 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         let bytes = picture.to_png().map_err(one)?;
         outputs.write(&cell.file, OutputKind::PICTURE, &bytes).map_err(one)?;
         let labels = cell.labels();
-        output.message(&format!("{} of {}: {}", at + 1, cells.len(), labels.join(", ")));
+        let told: Vec<String> = labels.iter().map(ToString::to_string).collect();
+        output.message(&format!("{} of {}: {}", at + 1, cells.len(), told.join(", ")));
         drawn.push(SheetCell { picture: over(&picture, arguments.width), labels });
     }
     let size = drawn.first().map_or([1, 1], |cell| cell.picture.size);

@@ -99,6 +99,8 @@ pub struct BentLights {
     pub name: String,
     /// The value that goes into the node, where there is one of which all comes.
     pub value: Option<AovSource>,
+    /// The lit values that go into the node, by its inputs, where there are several.
+    pub inputs: Vec<(PortName, AovSource)>,
     /// The table from that value to what the layer is made of, where it depends on nothing else.
     pub transfer: Result<Transfer, String>,
 }
@@ -110,6 +112,8 @@ pub struct StackParts {
     pub parts: Vec<StackPart>,
     /// Nodes between the stack and the Output, from the Output on: their results cannot be parted.
     pub after: Vec<NodePath>,
+    /// The table from the stack to the picture, where nodes are between them.
+    pub grade: Option<Result<Transfer, String>>,
     /// Sums of lights within the steps that cannot be parted.
     pub bent: Vec<BentLights>,
 }
@@ -142,8 +146,9 @@ pub(super) struct Stack {
     pub(super) bottom: Option<(usize, usize)>,
     /// The output of the highest step.
     pub(super) top: Option<(usize, usize)>,
-    /// Nodes between the Output and the stack.
-    after: Vec<usize>,
+    /// Nodes between the Output and the stack, from the Output on, each with the input that the
+    /// stack comes in by.
+    after: Vec<(usize, usize)>,
 }
 
 /// The rule by which a step lets a share of what is below through.
@@ -303,7 +308,6 @@ impl TypedGraph {
             if !seen.insert(index) {
                 break;
             }
-            let node = &self.nodes[index];
             if let Some(inside) = self.passed_through(index) {
                 open = Some(inside);
                 continue;
@@ -311,10 +315,8 @@ impl TypedGraph {
             let Some(below) = self.below(index) else {
                 // Before the first step, what takes one color is a node after the stack.
                 match self.one_color(index).filter(|_| stack.steps.is_empty()) {
-                    Some(next) => {
-                        if node.def.special != Treatment::Reroute {
-                            stack.after.push(index);
-                        }
+                    Some((input, next)) => {
+                        stack.after.push((index, input));
                         open = Some(next);
                         continue;
                     }
@@ -381,13 +383,13 @@ impl TypedGraph {
         }
     }
 
-    /// The only wired color of a node that gives a color.
-    fn one_color(&self, index: usize) -> Option<(usize, usize)> {
+    /// The only input of a node that takes a wired color, with the output that it comes from.
+    fn one_color(&self, index: usize) -> Option<(usize, (usize, usize))> {
         let node = &self.nodes[index];
         let mut colors = (0..node.inputs.len()).filter_map(|input| {
             let ty = &node.inputs[input].as_ref()?.ty;
             let is_color = matches!(ty, Type::Color | Type::Composite);
-            self.wire(index, input).filter(|_| is_color)
+            Some((input, self.wire(index, input).filter(|_| is_color)?))
         });
         let first = colors.next()?;
         colors.next().is_none().then_some(first)
@@ -485,8 +487,11 @@ impl TypedGraph {
             }),
             (None, None) => {}
         }
-        let after = stack.after.iter().map(|&index| self.nodes[index].path.clone()).collect();
-        StackParts { parts, after, bent }
+        let nodes = stack.after.iter().map(|&(index, _)| &self.nodes[index]);
+        let nodes = nodes.filter(|node| node.def.special != Treatment::Reroute);
+        let after: Vec<NodePath> = nodes.map(|node| node.path.clone()).collect();
+        let grade = (!after.is_empty()).then(|| Transfer::new(self, &stack.after));
+        StackParts { parts, after, grade, bent }
     }
 
     fn bent_lights(&self, sum: &BentSum) -> BentLights {
@@ -494,10 +499,18 @@ impl TypedGraph {
         let value = sum.value.and_then(|source| self.source_of(source));
         let unknown = || tr!("more than one way leads from it to the layer").to_owned();
         let transfer = sum.chain.as_ref().ok_or_else(unknown);
+        let input_of = |input: usize, source| {
+            Some((node.def.inputs.get(input)?.name.clone(), self.source_of(source)?))
+        };
         BentLights {
             node: node.path.clone(),
             name: self.layer_name(sum.node),
             value,
+            inputs: sum
+                .inputs
+                .iter()
+                .filter_map(|&(input, source)| input_of(input, source))
+                .collect(),
             transfer: transfer.and_then(|chain| Transfer::new(self, chain)),
         }
     }

@@ -127,6 +127,8 @@ pub(super) struct BentSum {
     pub(super) node: usize,
     /// The output that goes into that node; `None` where several do.
     pub(super) value: Option<(usize, usize)>,
+    /// The node's lit inputs with the outputs that go into them, where there are several.
+    pub(super) inputs: Vec<(usize, (usize, usize))>,
     /// Nodes from the step to the one that bends, each with the input that the way went through;
     /// `None` where the way parted on it.
     pub(super) chain: Option<Vec<(usize, usize)>>,
@@ -429,7 +431,9 @@ impl LightShares {
             chain
         });
         if !self.bent.iter().any(|known| known.node == node && known.value == value) {
-            self.bent.push(BentSum { node, value, chain });
+            let several = way.leads.iter().filter(|_| way.bent.is_none());
+            let inputs = several.filter_map(|lead| Some((lead.into?.1, lead.source))).collect();
+            self.bent.push(BentSum { node, value, inputs, chain });
         }
         self.ends.push((way.share, lights));
     }

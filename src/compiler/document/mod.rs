@@ -12,6 +12,7 @@ mod described;
 mod edit;
 pub mod grouping;
 mod hcbtf;
+mod hex;
 mod image;
 mod json;
 mod light;
@@ -45,6 +46,7 @@ pub use hcbtf::{
     RuleAbout, RuleField, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones,
     Strokes, Tile, read_rules, relief,
 };
+pub use hex::{long_hex, read_hex};
 pub use image::JournalDocument;
 pub use light::{
     AimPlaces, GroupMaster, LayerLink, Light, LightField, LightFrames, LightInput, LightKind,

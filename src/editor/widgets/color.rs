@@ -7,7 +7,7 @@ use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Id, TextEdit, Ui};
 
 use super::picker;
-use crate::document::{ColorSpace, parse_hex, srgb_to_linear};
+use crate::document::{ColorSpace, read_hex, srgb_to_linear};
 use crate::values;
 use crate::widgets::theme;
 
@@ -124,7 +124,7 @@ pub(crate) fn encoded(color: [f64; 4], space: ColorSpace) -> [f64; 4] {
 
 /// Parses a color as people type it: with its `#`, without, or with one too many.
 fn parse_typed(text: &str) -> Option<[f64; 4]> {
-    parse_hex(&format!("#{}", text.trim().trim_start_matches('#')))
+    read_hex(&format!("#{}", text.trim().trim_start_matches('#')))
 }
 
 fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id, [f64; 4])> {
@@ -161,7 +161,10 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
     } else {
         response
     };
-    let parsed = parse_typed(&text).filter(|_| response.changed() && text.trim() != shown)?;
+    // Three digits may be the first of six: they are a color once typing has ended.
+    let is_short = text.trim().trim_start_matches('#').len() < 6;
+    let is_typed = if is_short { response.lost_focus() } else { response.changed() };
+    let parsed = parse_typed(&text).filter(|_| is_typed && text.trim() != shown)?;
     let [r, g, b, a] = parsed;
     Some((
         response.id,
@@ -184,5 +187,6 @@ mod tests {
             assert_eq!(parse_typed(text), color, "{text}");
         }
         assert_eq!(parse_typed("#15131"), None);
+        assert_eq!(parse_typed("8af"), parse_typed("#88aaff"));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::blank::BlankPipeline;
 use crate::frame::{FramePlan, LookInputs, PassId, PixelArea};
+use crate::kept::BLOCK;
 use crate::target::FAR_PLANE;
 use crate::{RenderError, Renderer};
 
@@ -66,7 +67,8 @@ impl Renderer {
             return Ok(None);
         };
         let inputs = self.kept.inputs_of(plan);
-        let changed = inputs.as_ref().zip(before).and_then(|(now, then)| now.changed_since(then));
+        let changed =
+            inputs.as_ref().zip(before).and_then(|both| both.0.changed_since(both.1, BLOCK));
         self.kept.count(plan, changed.as_deref());
         // The samples are not needed once they are resolved, unless they are kept.
         let store = if inputs.is_some() { wgpu::StoreOp::Store } else { wgpu::StoreOp::Discard };

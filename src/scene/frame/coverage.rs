@@ -77,6 +77,16 @@ impl PixelArea {
         }
     }
 
+    /// Least area that has this one and begins and ends between blocks of `side` by `side` pixels,
+    /// within a picture of `size` pixels.
+    #[must_use]
+    pub fn in_blocks(self, side: u32, size: [u32; 2]) -> Self {
+        Self {
+            begin: self.begin.map(|least| least / side * side),
+            end: [0, 1].map(|axis| self.end[axis].next_multiple_of(side).min(size[axis])),
+        }
+    }
+
     /// Pixels of a picture of `size` pixels that what lies in a box may cover: the whole picture
     /// where the box reaches the plane of the eye.
     pub(super) fn of_box(
@@ -134,6 +144,7 @@ mod tests {
         assert!(!area.meets(&PixelArea::EMPTY));
         let other = PixelArea { begin: [0, 7], end: [1, 9] };
         assert_eq!(area.joined(other), PixelArea { begin: [0, 4], end: [6, 9] });
+        assert_eq!(area.in_blocks(4, [7, 7]), PixelArea { begin: [0, 4], end: [7, 7] });
         assert_eq!(area.widened(4, [8, 8]), PixelArea { begin: [0, 0], end: [8, 8] });
         assert_eq!(PixelArea::EMPTY.widened(4, [8, 8]), PixelArea::EMPTY);
         assert_eq!(area.widened(u32::MAX, [9, 9]), PixelArea::whole([9, 9]));

@@ -1,6 +1,6 @@
 //! Values of something that varies, as the command line writes them.
 
-use crate::document::{Value, parse_hex};
+use crate::document::{Value, long_hex, parse_hex};
 
 /// Greatest number of values of one thing.
 const MAX_VALUES: usize = 10_000;
@@ -77,11 +77,8 @@ fn parts(text: &str) -> Vec<&str> {
 
 fn value(text: &str) -> Result<Value, String> {
     let text = text.trim();
-    if let Some(digits) = text.strip_prefix('#') {
-        // #8af is #88aaff, as on web pages.
-        let is_short = matches!(digits.len(), 3 | 4) && digits.is_ascii();
-        let twice = || digits.chars().flat_map(|digit| [digit, digit]).collect::<String>();
-        let color = format!("#{}", if is_short { twice() } else { digits.to_owned() });
+    if text.starts_with('#') {
+        let color = long_hex(text).into_owned();
         let known = parse_hex(&color).map(|_| Value::Text(color));
         return known.ok_or_else(|| format!("`{text}` is no color; write #8af or #88aaff"));
     }

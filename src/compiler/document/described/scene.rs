@@ -8,7 +8,7 @@ use crate::diag::Diagnostic;
 use crate::document::json::{JsonKind, JsonLayout, JsonWriter, ValueIndex};
 use crate::document::read::reader::{Fields, Reader};
 use crate::document::shape::{self, MAX_PATH};
-use crate::document::{UnknownFields, parse_hex};
+use crate::document::{UnknownFields, read_hex};
 
 /// Codec of the backdrop behind the objects: a color, or none.
 pub(in crate::document) struct Backdrop;
@@ -124,7 +124,7 @@ fn backdrop(r: &mut Reader<'_>, at: ValueIndex) -> Option<Option<[f64; 4]>> {
         JsonKind::Null => Some(None),
         JsonKind::Text if r.tree.string(at).as_deref() == Some("none") => Some(None),
         JsonKind::Text => {
-            let hex = r.tree.string(at).and_then(|text| parse_hex(&text));
+            let hex = r.tree.string(at).and_then(|text| read_hex(&text));
             if hex.is_none() {
                 let problem = Diagnostic::error("bad-color", tr!("this is no color"));
                 r.report(

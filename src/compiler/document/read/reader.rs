@@ -8,6 +8,7 @@ use chiaro_locale::{tr, tr_in};
 
 use crate::diag::Diagnostic;
 use crate::document::color::{parse_hex, srgb_to_linear};
+use crate::document::hex::long_hex;
 use crate::document::json::{JsonKind, Tree, ValueIndex};
 use crate::document::problems::Problems;
 use crate::document::shape::{self, NumberBounds, ObjectShape};
@@ -365,6 +366,7 @@ impl<'t> Reader<'t> {
         alpha: bool,
     ) -> Option<Vec<f64>> {
         if let Some(text) = self.tree.string(at) {
+            let text = long_hex(&text);
             let Some(hex) = parse_hex(&text).filter(|_| alpha || text.len() == 7) else {
                 let hint = if alpha {
                     tr!("write \"#rrggbb\" or \"#rrggbbaa\"")

@@ -8,7 +8,7 @@ use crate::document::described::{FieldType as _, described};
 use crate::document::json::{JsonKind, ValueIndex};
 use crate::document::rotation;
 use crate::document::shape::{self, F32, FAR, LONG, MAX_NUMBERS};
-use crate::document::{Curve, Endpoint, Ramp, Target, UnknownFields, Value};
+use crate::document::{Curve, Endpoint, Ramp, Target, UnknownFields, Value, long_hex};
 use crate::ids::is_slug;
 
 described! {
@@ -30,7 +30,9 @@ impl Reader<'_> {
         match self.tree.kind(at) {
             JsonKind::Bool(value) => Some(Value::Bool(value)),
             JsonKind::Number => self.number_at(at, F32).map(Value::Number),
-            JsonKind::Text => self.text_at(at, LONG).map(|text| Value::Text(text.into_owned())),
+            JsonKind::Text => {
+                self.text_at(at, LONG).map(|text| Value::Text(long_hex(&text).into_owned()))
+            }
             JsonKind::List => self.numbers_at(at, 1, MAX_NUMBERS, F32).map(Value::Vector),
             JsonKind::Object if self.tree.member(at, "stops").is_some() => {
                 let ramp = Ramp::read(self, at, &shape::FieldKind::Value, extras)?;

@@ -222,7 +222,10 @@ fn choice(words: &[(&str, &str)]) -> Value {
 }
 
 fn color(alpha: bool) -> Value {
-    let pattern = if alpha { "^#[0-9a-fA-F]{6}([0-9a-fA-F]{2})?$" } else { "^#[0-9a-fA-F]{6}$" };
+    let pattern = match alpha {
+        true => "^#([0-9a-fA-F]{3,4}|[0-9a-fA-F]{6}([0-9a-fA-F]{2})?)$",
+        false => "^#([0-9a-fA-F]{3}){1,2}$",
+    };
     json!({ "anyOf": [
         numbers(3, if alpha { 4 } else { 3 }, &FAR),
         { "type": "string", "pattern": pattern }

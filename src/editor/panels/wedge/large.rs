@@ -10,7 +10,7 @@ use eframe::egui::{
 };
 
 use super::varied::color_of;
-use super::{ShownSheet, Taken, Wedge, help, offer};
+use super::{ShownSheet, TakenCell, Wedge, help, offer};
 use crate::commands::{Command, FilmCommand};
 use crate::state::session::Session;
 use crate::state::wedge::{CellScope, WedgeCell};
@@ -77,7 +77,7 @@ fn cells(
     cells: &[WedgeCell],
     taken: Option<usize>,
     session: &Session,
-) -> Option<Taken> {
+) -> Option<TakenCell> {
     let columns = columns_of(cells);
     let lines = cells.iter().map(|cell| words_of(cell).len()).max().unwrap_or(0);
     let words = lines as f32 * LINE + 4.0;

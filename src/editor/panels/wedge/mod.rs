@@ -70,7 +70,7 @@ impl ShownSheet {
 }
 
 /// Number of a cell that is taken, and the frames that it is taken for.
-type Taken = (usize, CellScope);
+type TakenCell = (usize, CellScope);
 
 /// The panel, with the sheet that was opened last.
 pub(crate) struct Wedge {
@@ -228,7 +228,7 @@ impl Wedge {
     }
 
     /// Command that takes a cell, which is marked from now on.
-    fn take(&mut self, (number, scope): Taken) -> Option<Command> {
+    fn take(&mut self, (number, scope): TakenCell) -> Option<Command> {
         self.taken = Some(number);
         let cell = self.sheet.as_ref()?.cells.get(number)?.clone();
         Some(Command::TakeCell(cell, scope))
@@ -290,7 +290,7 @@ fn show_picture(
     cells: &[WedgeCell],
     taken: Option<usize>,
     session: &Session,
-) -> Option<Taken> {
+) -> Option<TakenCell> {
     let own = Vec2::from(shown.size.map(|side| side as f32));
     let width = ui.available_width().min(own.x);
     let size = vec2(width, width * own.y / own.x);

@@ -25,7 +25,7 @@ const fn option(word: &'static str, label: Text, help: Text) -> LayerOption {
 }
 
 /// Values of `--aov` for parts of the picture.
-pub(crate) const CONTRIBUTIONS: [LayerOption; 6] = [
+pub(crate) const CONTRIBUTIONS: [LayerOption; 7] = [
     option("layers", text!("Layers"), text!("What each layer of the looks adds to the picture")),
     option(
         "lights",
@@ -37,6 +37,11 @@ pub(crate) const CONTRIBUTIONS: [LayerOption; 6] = [
         "lights-by-layer",
         text!("Lights by layer"),
         text!("What each light adds within each layer"),
+    ),
+    option(
+        "groups-by-layer",
+        text!("Groups by layer"),
+        text!("What each group of lights adds within each layer"),
     ),
     option("shadows", text!("Shadows"), text!("The shadows of each light")),
     option("named", text!("Named passes"), text!("All outputs that looks name as passes")),

@@ -532,7 +532,7 @@ mod tests {
         assert_eq!(playback.form(), form, "it goes on with the scene's camera");
         flip.compare_with(0, &mut playback);
         assert_eq!(told(&flip), (kept.clone(), vec![files.clone()]));
-        assert_eq!((playback.form(), flip.lacking([0, 3])), (form, 1));
+        assert_eq!((playback.form(), flip.lacking([0, 3])), (form, FrameList::of(vec![3])));
         // Chosen to be compared with, what is kept stands in front.
         flip.compare_kept(&mut playback);
         assert_eq!(told(&flip), ("Kept version 2".to_owned(), vec![files, kept]));

@@ -60,8 +60,9 @@ impl LookInputs {
     }
 
     /// Areas outside of which every sample is the one that a picture of `before` has; they may
-    /// overlap. `None` where no pixel is known to stay.
-    pub fn changed_since(&self, before: &Self) -> Option<Vec<PixelArea>> {
+    /// overlap, and begin and end between blocks of so many pixels. `None` where no pixel is known
+    /// to stay.
+    pub fn changed_since(&self, before: &Self, block: u32) -> Option<Vec<PixelArea>> {
         if self.common != before.common {
             return None;
         }
@@ -69,8 +70,9 @@ impl LookInputs {
         let own = self.draws.iter().filter(|(hash, _)| !before.draws.contains_key(hash));
         let gone = before.draws.iter().filter(|(hash, _)| !self.draws.contains_key(hash));
         let mut areas = Vec::new();
-        for (_, area) in own.chain(gone) {
-            add(&mut areas, area.widened(spread, self.size));
+        let seen = own.chain(gone).map(|(_, area)| area).filter(|area| !area.is_empty());
+        for area in seen {
+            add(&mut areas, area.widened(spread, self.size).in_blocks(block, self.size));
         }
         let pixels: u64 = areas.iter().map(PixelArea::count).sum();
         (pixels < PixelArea::whole(self.size).count()).then_some(areas)

@@ -69,6 +69,8 @@ pub(super) struct SceneSeen<'a> {
     pub(super) casters: Option<&'a Casters>,
     pub(super) shadow_maps: Option<&'a ShadowMaps>,
     pub(super) ink: Option<Ink>,
+    /// Color behind everything.
+    pub(super) backdrop: Option<[f64; 4]>,
 }
 
 impl WantedPasses {
@@ -151,6 +153,9 @@ impl WantedPasses {
             if let Some(ink) = seen.ink.filter(|_| id.is_over()) {
                 let numbers = ink.color.iter().chain(&ink.widths);
                 numbers.for_each(|number| number.to_bits().hash(&mut hasher));
+            }
+            if let Some(backdrop) = seen.backdrop.filter(|_| id.writes_picture()) {
+                backdrop.map(f64::to_bits).hash(&mut hasher);
             }
             // The picture reads the results of all passes before it, whichever they are.
             let is_read = |before: &&Pass| id.writes_picture() || id.reads(before.id);

@@ -184,11 +184,13 @@ impl Planner {
         let shadow_maps = mapped.map(|casters| casters.maps(options.size[1]));
         let shadow_maps = shadow_maps.transpose().map_err(|problem| vec![problem])?;
         let casters = casters.and_then(|casters| casters.texture);
+        let backdrop = setup.scene.backdrop.filter(|_| !self.mattes);
         let seen = SceneSeen {
             view: &scene.view,
             casters: casters.as_deref(),
             shadow_maps: shadow_maps.as_ref(),
             ink,
+            backdrop,
         };
         let mut passes = wanted.planned(&draws, &seen, options);
         let deferral = self.deferred.deferral(&scene, &visible, &passes, &draws);
@@ -196,7 +198,7 @@ impl Planner {
         let plan = FramePlan {
             size: options.size,
             samples: options.samples,
-            backdrop: setup.scene.backdrop.filter(|_| !self.mattes),
+            backdrop,
             ink,
             view: scene.view,
             covered: scene.covered(&visible),

@@ -179,6 +179,11 @@ fn foreign(head: &[u8], length: u64, ending: &str) -> Option<Diagnostic> {
         let hint = tr!("export without compression, as glTF, OBJ or PLY");
         return Some(Diagnostic::error("mesh-unsupported", message).hint(hint));
     }
+    if head.starts_with(b"Ogawa") || ending.eq_ignore_ascii_case("abc") {
+        let hint = tr!("write glTF from the same program, which keeps animation");
+        let problem = Diagnostic::error("mesh-unsupported", tr!("Alembic cannot be read"));
+        return Some(problem.hint(hint));
+    }
     let is_binary = ending.eq_ignore_ascii_case("stl") && stl::is_binary(head, length);
     if !is_binary && files::is_utf16(head) {
         let problem = Diagnostic::error("mesh-encoding", tr!("the file is text in UTF-16"));
