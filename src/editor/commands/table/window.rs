@@ -41,8 +41,18 @@ pub(super) fn files() -> Vec<CommandRow> {
             Window,
         )
         .help(text!(
-            "A shot over the open scene, or over the open shot: frames, and values that are \
-             changed over it, in a file of its own"
+            "A shot over the open scene, also where another shot of it is open: frames, and values \
+             that are changed over it, in a file of its own"
+        )),
+        row(
+            C::Scene(SceneCommand::Shot(ShotCommand::NewOver)),
+            text!("New shot over this shot"),
+            &[],
+            Window,
+        )
+        .help(text!(
+            "A shot over the open shot, as over a sequence: all that the open one changes stands \
+             beneath it, also what that changes later"
         )),
         row(C::Redo, text!("Redo"), &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
         row(C::Undo, text!("Undo"), &[(CTRL, Key::Z)], Window),

@@ -50,13 +50,14 @@ impl Session {
         Ok(())
     }
 
-    /// Begins a shot over the open scene, or over the open shot, as their files have them. The open
-    /// look is opened again, under the shot.
+    /// Begins a shot over the open scene, or with `is_over_shot` over the open shot where that has a
+    /// file, as their files have them. The open look is opened again, under the shot.
     ///
     /// # Errors
     /// Problems that keep what would lie under the shot from being read; all stays open then.
-    pub(crate) fn begin_shot(&mut self) -> Result<(), Vec<Diagnostic>> {
-        let of_shot = self.shot().filter(|shot| shot.has_file()).map(OpenShot::path);
+    pub(crate) fn begin_shot(&mut self, is_over_shot: bool) -> Result<(), Vec<Diagnostic>> {
+        let of_shot = self.shot().filter(|shot| is_over_shot && shot.has_file());
+        let of_shot = of_shot.map(OpenShot::path);
         let beneath = of_shot.or_else(|| self.open_scene()?.path()).map(Path::to_path_buf);
         let Some(beneath) = beneath else {
             let message = tr!("a shot lies over the file of a scene, and there is none yet");

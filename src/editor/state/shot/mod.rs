@@ -4,6 +4,7 @@
 //! is edited, journaled, undone and saved; the files under it stay as they are.
 
 mod camera_keys;
+mod lost;
 mod writing;
 
 use std::path::{Path, PathBuf};
@@ -25,6 +26,7 @@ use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::revision::StepTime;
 use crate::state::scene::{folder_of, real, relative};
+pub(crate) use lost::{LostChange, shots_that_change};
 pub(crate) use writing::ShotWriter;
 
 /// Frames of a new shot, and the size of its pictures, in pixels.
