@@ -168,7 +168,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let here = std::env::current_dir().map_err(|error| {
         one(Diagnostic::error("cannot-read", format!("this folder is not known: {error}")))
     })?;
-    render::rehearse(&as_of_task(words)?, target, output)?;
+    render::rehearse(&render::Arguments::of_words(words)?, target, output)?;
     let outside = used_files::outside(&here, document);
     let own = shortened(&here.join(document));
     output.diagnostics(outside_warning(&here, &own, &outside).as_slice());
@@ -199,15 +199,6 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         job.chunks().len()
     ));
     Ok(())
-}
-
-/// The arguments as a task reads them.
-fn as_of_task(words: &[String]) -> Result<render::Arguments, Vec<Diagnostic>> {
-    let command = render::Arguments::augment_args(clap::Command::new("render"));
-    let words = std::iter::once("render").chain(words.iter().map(String::as_str));
-    let read = command.try_get_matches_from(words);
-    let read = read.and_then(|matches| render::Arguments::from_arg_matches(&matches));
-    read.map_err(|error| vec![Diagnostic::error("bad-argument", error.to_string())])
 }
 
 /// The frames that were asked for, or else those of the shot; warns of chunks and frames that do

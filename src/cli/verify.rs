@@ -7,6 +7,7 @@ use serde_json::{Value as Json, json};
 
 use super::frame_files::{FrameFile, found, pattern_of};
 use super::output::Output;
+use super::render::PresentFrames;
 use crate::diag::Diagnostic;
 use crate::film::{FrameDifference, FrameList, FramePattern, StoredFrame};
 
@@ -14,11 +15,16 @@ const EXAMPLES: &str = "\
 Examples:
   chiaro verify 'out/####.exr'
   chiaro verify 'out/####.exr' --frames 1-240 --json
+  chiaro verify 'out/####.exr' --frames 1-240 --of shot.json --depth=float
   chiaro verify 'out/####.exr' --against 'before/####.exr' --within 1/255
 
 Each frame is whole where its file is as Chiaro wrote it, by the checksum in it. All frames are of
 one size and have the same channels. Exit codes: 0 where all are whole (and equal), 1 where not,
 2 for wrong arguments; the last line says which frames are at fault.
+
+--of plans each frame as `chiaro render` would now, and draws nothing: a frame that render would
+draw again is of another state of the document. What follows it, up to the end, are the document
+and the options that the frames were drawn with.
 
 Beside another run the channels that both have are compared. A layer that one run has alone is
 named, and is a difference, unless --shared leaves such layers out.";
@@ -44,6 +50,15 @@ pub(super) struct Arguments {
     /// Print a line of JSON for each frame
     #[arg(long)]
     json: bool,
+    /// The document that frames must be of as it is now, and options of `chiaro render` that they
+    /// were drawn with; stands last
+    #[arg(
+        long,
+        value_names = ["DOCUMENT", "OPTION"],
+        num_args = 1..,
+        allow_hyphen_values = true
+    )]
+    of: Vec<String>,
 }
 
 fn parse_bound(text: &str) -> Result<f64, String> {
@@ -67,6 +82,8 @@ enum Verdict {
     Odd(String),
     /// The frame of the other run is another one, has other layers, or cannot be compared.
     Different(String),
+    /// The frame is whole, and of another state of the document, as the reason names it.
+    Stale(String),
 }
 
 impl Verdict {
@@ -77,14 +94,23 @@ impl Verdict {
             Self::Broken(_) => "broken",
             Self::Odd(_) => "odd",
             Self::Different(_) => "different",
+            Self::Stale(_) => "stale",
         }
+    }
+
+    /// True of a frame that says what the others are to be like.
+    fn is_sound(&self) -> bool {
+        matches!(self, Self::Whole | Self::Different(_) | Self::Stale(_))
     }
 
     fn reason(&self) -> &str {
         match self {
             Self::Whole => "",
             Self::Missing => "there is no file",
-            Self::Broken(reason) | Self::Odd(reason) | Self::Different(reason) => reason,
+            Self::Broken(reason)
+            | Self::Odd(reason)
+            | Self::Different(reason)
+            | Self::Stale(reason) => reason,
         }
     }
 }
@@ -121,6 +147,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
             (first..=last).collect()
         }
     };
+    let mut present = match arguments.of.as_slice() {
+        [] => None,
+        words => Some(PresentFrames::open(words, &arguments.files)?),
+    };
     let mut first: Option<StoredFrame> = None;
     let mut faults: Vec<(&'static str, Vec<i32>)> = Vec::new();
     let mut greatest = 0.0_f64;
@@ -132,7 +162,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         some.iter().copied().zip(found)
     });
     for (frame, found) in found {
-        let found = found.beside(first.as_ref());
+        let mut found = found.beside(first.as_ref());
+        if let Some(present) = &mut present {
+            found = found.beside_present(frame, present, &arguments.of[0])?;
+        }
         let Finding { verdict, stored, comparison } = &found;
         let Comparison { difference, alone: of_one } = comparison;
         greatest = difference.as_ref().map_or(greatest, |found| greatest.max(found.greatest));
@@ -150,7 +183,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
             }
         }
         // The first frame says what all are to be.
-        if first.is_none() && matches!(verdict, Verdict::Whole | Verdict::Different(_)) {
+        if first.is_none() && verdict.is_sound() {
             first.clone_from(stored);
         }
     }
@@ -158,7 +191,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     if !faults.is_empty() {
         let told = faults.into_iter().map(|(word, list)| {
             let plural = if list.len() == 1 { "frame" } else { "frames" };
-            format!("{} {plural} {word}: {}", list.len(), FrameList::of(list))
+            let state = match (word, arguments.of.first()) {
+                ("stale", Some(document)) => format!("of another state of {document}"),
+                _ => word.to_owned(),
+            };
+            format!("{} {plural} {state}: {}", list.len(), FrameList::of(list))
         });
         let told: Vec<String> = told.collect();
         let message = format!("of {count} frames, {}", told.join("; "));
@@ -170,9 +207,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         (Some(_), 0.0) => ", and equal to the other run's to the bit".to_owned(),
         (Some(_), greatest) => format!(", and within {greatest} of the other run's"),
     };
+    let as_now = arguments.of.first().map(|document| format!(", and of {document} as it is now"));
+    let as_now = as_now.unwrap_or_default();
     let of_shared = alone.map(|alone| format!(" in what both have: {alone}")).unwrap_or_default();
     output.message(&format!(
-        "{}: {count} frames, all whole{compared}{of_shared}",
+        "{}: {count} frames, all whole{as_now}{compared}{of_shared}",
         arguments.files.display()
     ));
     Ok(())
@@ -249,7 +288,7 @@ fn compared(
 impl Finding {
     /// The finding, where the frame's size and channels are to be those of the first one.
     fn beside(self, first: Option<&StoredFrame>) -> Self {
-        let is_sound = matches!(self.verdict, Verdict::Whole | Verdict::Different(_));
+        let is_sound = self.verdict.is_sound();
         let (Some(stored), Some(first)) = (self.stored.as_ref().filter(|_| is_sound), first) else {
             return self;
         };
@@ -267,6 +306,24 @@ impl Finding {
         let told: Vec<String> = [of_size, more, fewer].into_iter().flatten().collect();
         let verdict = Verdict::Odd(told.join("; "));
         Self { verdict, comparison: Comparison::default(), ..self }
+    }
+
+    /// The finding, where a whole frame is to be as the document that is named is now.
+    fn beside_present(
+        self,
+        frame: i32,
+        present: &mut PresentFrames,
+        document: &str,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        if !matches!(self.verdict, Verdict::Whole) {
+            return Ok(self);
+        }
+        let plan = self.stored.as_ref().and_then(|stored| stored.plan.as_deref());
+        if present.is(frame, plan.unwrap_or_default())? {
+            return Ok(self);
+        }
+        let verdict = Verdict::Stale(format!("it is of another state of {document}"));
+        Ok(Self { verdict, ..self })
     }
 
     fn json(&self, frame: i32, file: &str) -> Json {

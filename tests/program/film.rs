@@ -148,6 +148,42 @@ fn frames_are_verified_against_their_seals_and_another_run() {
 }
 
 #[test]
+fn a_mixture_of_states_of_a_document_is_told_by_verify_and_by_jobs() {
+    let stage = Stage::new();
+    fs::create_dir(stage.path("out")).unwrap();
+    stage.render("out/#.exr", "1-6");
+    let drawn_with = &RENDER[1..10];
+    let verify = ["verify", "out/#.exr", "--frames", "1-6", "--of"];
+    let verify = [&verify[..], drawn_with].concat();
+    let [_, said] = stage.done(&verify);
+    assert!(said.contains("6 frames, all whole, and of look.json as it is now"), "{said}");
+    // Other options are another picture.
+    let said = stage.fails(1, &[&verify[..], &["--turn-lights=30"]].concat());
+    assert!(said.contains("6 frames of another state of look.json: 1-6"), "{said}");
+    stage.fails(2, &[&verify[..], &["--no-such-option"]].concat());
+    // A task of an earlier state of the look is lost, and nobody sees it in the files alone.
+    stage.write_look(0.5);
+    for frame in [3, 4] {
+        fs::remove_file(stage.path(&format!("out/{frame}.exr"))).unwrap();
+    }
+    stage.render("out/#.exr", "3-4");
+    stage.done(&["verify", "out/#.exr", "--frames", "1-6"]);
+    let said = stage.fails(1, &verify);
+    assert!(
+        said.contains("of 6 frames, 4 frames of another state of look.json: 1-2,5-6"),
+        "{said}"
+    );
+    let farm = ["farm", "-o", "out/#.exr", "--frames", "1-6", "--to"];
+    for word in ["slurm", "openjd", "opencue", "flamenco"] {
+        let job = &stage.done(&[&farm[..], &[word], drawn_with].concat())[0];
+        assert!(job.contains("--frames 1-6 --of look.json"), "{word}: {job}");
+        assert!(job.contains("--on=reference"), "{word}: {job}");
+    }
+    stage.render("out/#.exr", "1-6");
+    stage.done(&verify);
+}
+
+#[test]
 fn frames_are_shown_on_a_sheet_and_as_a_movie() {
     let stage = Stage::new();
     stage.render("a.####.exr", "0-3");

@@ -269,7 +269,7 @@ fn plan_all(
         let header = ExrHeader {
             view: Some(plan.picture().view),
             stamp: Some(stamp),
-            plan: key(&content, sequence),
+            plan: key(&content, sequence.format, sequence.view, sequence.rate),
             blended_in: blended_in.clone(),
             layers_in: layers_in(&plan, &blended_in),
             attributes: plan.attributes(),
@@ -291,10 +291,15 @@ fn plan_all(
 }
 
 /// Key of a file: the plan that it is of, and how it was stored.
-fn key(content: &str, sequence: Sequence<'_>) -> String {
-    let FrameRate { frames, seconds } = sequence.rate;
-    match sequence.format {
-        PictureFormat::Png => match sequence.view {
+pub(super) fn key(
+    content: &str,
+    format: PictureFormat,
+    view: Option<&DisplayView>,
+    rate: FrameRate,
+) -> String {
+    let FrameRate { frames, seconds } = rate;
+    match format {
+        PictureFormat::Png => match view {
             Some(view) => format!("{content} {}", view.key()),
             None => content.to_owned(),
         },

@@ -3,6 +3,7 @@
 mod format;
 mod frames;
 mod layers;
+mod present;
 mod progress;
 pub(super) mod wedge;
 
@@ -14,6 +15,7 @@ use serde_json::json;
 
 use format::{PictureFormat, parse_compression, parse_depth};
 use frames::{EarlierFrames, Sequence};
+pub(super) use present::PresentFrames;
 use progress::ProgressLines;
 
 use super::open::{check_nodes_folder, library_of};

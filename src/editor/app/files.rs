@@ -37,8 +37,10 @@ pub(super) enum PendingAction {
     Switch(PathBuf),
     /// Puts the scene aside; the look stays open.
     LeaveScene,
-    /// Begins a shot over the files that are open.
-    NewShot,
+    /// Begins a shot over the scene that is open, or over the shot.
+    NewShot {
+        is_over_shot: bool,
+    },
     Example(usize),
     /// Begins a new look from a snapshot.
     CopySnapshot(SnapshotId),
@@ -213,7 +215,7 @@ impl App {
         let (look, scene) = match self.pending {
             Some(PendingAction::Switch(_)) => (true, false),
             Some(PendingAction::LeaveScene) => (false, true),
-            Some(PendingAction::NewShot) => return self.lacking_under_shot(),
+            Some(PendingAction::NewShot { .. }) => return self.lacking_under_shot(),
             Some(PendingAction::ClosePainting) => (false, false),
             Some(
                 PendingAction::NewPainting { keeps_look, .. }
@@ -333,7 +335,7 @@ impl App {
             Some(PendingAction::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
             Some(PendingAction::ClosePainting) => self.close_painting(),
             Some(PendingAction::ShowPainting) => self.go_back_to_painting(),
-            Some(PendingAction::NewShot) => self.begin_shot(),
+            Some(PendingAction::NewShot { is_over_shot }) => self.begin_shot(is_over_shot),
             Some(PendingAction::Close) => self.closes = true,
             None => {}
         }
@@ -358,7 +360,7 @@ impl App {
         if self.pending.is_none() || !self.is_at_risk() {
             return;
         }
-        if self.pending == Some(PendingAction::NewShot) {
+        if matches!(self.pending, Some(PendingAction::NewShot { .. })) {
             return self.ask_to_save_under_shot(ui, commands);
         }
         let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {

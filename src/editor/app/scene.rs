@@ -15,7 +15,7 @@ use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::{NodePath, ObjectId, make_slug};
 use crate::state::scene::{OPEN_LOOK, OpenScene};
 use crate::state::session::Session;
-use crate::state::shot::{OpenShot, ShotAddress};
+use crate::state::shot::{OpenShot, ShotAddress, shots_that_change};
 use crate::widgets::spots::{self, Spot};
 
 impl App {
@@ -72,7 +72,8 @@ impl App {
         let frames = |app: &Self| app.session.shot().map(|shot| shot.scene().time);
         let before = frames(self);
         match command {
-            ShotCommand::New => return self.new_shot(),
+            ShotCommand::New => return self.new_shot(false),
+            ShotCommand::NewOver => return self.new_shot(true),
             ShotCommand::Edit(edit) => self.tell(|session| session.apply_to_shot(edit, None)),
             ShotCommand::EditHeld(widget, edit) => {
                 let gesture = self.gesture(ui, widget);
@@ -92,24 +93,25 @@ impl App {
         }
     }
 
-    /// Begins a shot over what is open. What lies under a shot are files, so that a save is asked
-    /// for first, where one lacks.
-    fn new_shot(&mut self) {
+    /// Begins a shot over the scene, or with `is_over_shot` over the open shot. What lies under a
+    /// shot are files, so that a save is asked for first, where one lacks.
+    fn new_shot(&mut self, is_over_shot: bool) {
         self.start = None;
         self.session.begin_scene();
-        self.pending = Some(PendingAction::NewShot);
+        self.pending = Some(PendingAction::NewShot { is_over_shot });
         self.go_on_if_safe();
     }
 
     /// Begins a shot over the files that are open.
-    pub(super) fn begin_shot(&mut self) {
+    pub(super) fn begin_shot(&mut self, is_over_shot: bool) {
         self.safety.put_aside(&self.session);
-        let over = match (self.session.shot(), self.session.open_scene()) {
+        let shot = self.session.shot().filter(|shot| is_over_shot && shot.has_file());
+        let over = match (shot, self.session.open_scene()) {
             (Some(shot), _) => shot.name(),
             (None, Some(open_scene)) => open_scene.name(),
             (None, None) => return,
         };
-        if let Err(problems) = self.session.begin_shot() {
+        if let Err(problems) = self.session.begin_shot(is_over_shot) {
             let first = problems.into_iter().find(crate::diag::Diagnostic::is_error);
             self.message = first.map(|problem| problem.message);
             return;
@@ -217,8 +219,34 @@ impl App {
     }
 
     fn make(&mut self, id: ObjectId, edit: SceneEdit) {
+        let objects = |session: &Session| -> Vec<ObjectId> {
+            let open_scene = session.open_scene();
+            open_scene.map(|it| it.scene().objects.keys().cloned().collect()).unwrap_or_default()
+        };
+        let before = objects(&self.session);
         self.tell(|session| session.apply_to_scene(edit, None));
+        let after = objects(&self.session);
+        if let Some(old) = before.iter().find(|old| !after.contains(old)) {
+            self.tell_shots_of(old, &id);
+        }
         self.session.select_object(Some(id));
+    }
+
+    /// Tells which shots beside the scene's file change values of an object that has another name
+    /// now: they name the object as it was.
+    fn tell_shots_of(&mut self, old: &ObjectId, new: &ObjectId) {
+        let Some(scene) = self.session.open_scene().and_then(OpenScene::path) else { return };
+        let files = self.session.assets.source().clone();
+        let shots = shots_that_change(&*files, scene, old.as_str());
+        let names = shots.iter().filter_map(|path| path.file_name());
+        let names: Vec<_> = names.map(|name| name.to_string_lossy().into_owned()).collect();
+        if !names.is_empty() {
+            self.message = Some(tr!(
+                "{shots} still changes values of {old}: once the scene is saved, open it, and move \
+                 them to {new} in the panel Shot",
+                shots = names.join(", ")
+            ));
+        }
     }
 
     /// Selects an object and opens its look.

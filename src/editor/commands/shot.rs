@@ -8,9 +8,11 @@ use crate::state::shot::ShotAddress;
 /// Command about the open shot.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ShotCommand {
-    /// Begins a new shot over the open scene or shot; over a look alone, puts a scene around it
-    /// first.
+    /// Begins a new shot over the open scene, or the scene under the open shot; over a look alone,
+    /// puts a scene around it first.
     New,
+    /// Begins a new shot over the open shot, which has all changes of that beneath its own.
+    NewOver,
     /// Edits the shot, as an undo step of its own.
     Edit(ShotEdit),
     /// Edits the shot for as long as the same widget is held: one undo step in all.

@@ -1,21 +1,21 @@
 //! Shot over the scene: its frames and its step, what lies under it, and every value that it
 //! changes.
 
-use chiaro_locale::{Text, text, tr};
+use chiaro_locale::{Text, text, tr, trn};
 use eframe::egui::{
     Align, Button, ComboBox, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense, TextEdit,
     Ui, WidgetInfo,
 };
 
-use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand};
-use crate::document::{FrameRate, ShotEdit};
+use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand, table};
+use crate::document::{FrameRate, ShotEdit, value_address};
 use crate::fields::row::{self, labelled};
 use crate::fields::shot::{self, ChangedValue};
 use crate::frame::ValueChange;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
-use crate::state::shot::{OpenShot, ShotAddress};
+use crate::state::shot::{LostChange, OpenShot, ShotAddress};
 use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::text::is_typed;
@@ -218,8 +218,9 @@ fn views(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             out.push(Command::View(ViewCommand::Reset));
         }
         let help =
-            tr!("The camera, the turn of the lights and the backdrop of the picture become the \
-                 shot's: at this frame where they are keyed");
+            tr!("The camera of the picture becomes the shot's, and a backdrop that was chosen: at \
+                 this frame where they are keyed. The lights stay the shot's: a turn of them is kept \
+                 over the picture");
         let keep = ui.add_enabled(!follows, Button::new(tr!("Keep view")));
         keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, tr!("Keep this view")));
         if keep.on_hover_text(help).clicked() {
@@ -276,11 +277,104 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
                 out.push(Command::Open(Some(path.clone())));
             }
         }
+        let new = ui.menu_button(RichText::new(tr!("New shot")).small(), |ui| {
+            let scene = stack.scene_path.file_name().unwrap_or_default().to_string_lossy();
+            let shot_name = shot.name();
+            let over = shot.has_file().then(|| tr!("Over {shot_name}"));
+            for (label, command) in [(Some(tr!("Of {scene}")), ShotCommand::New)]
+                .into_iter()
+                .chain([(over, ShotCommand::NewOver)])
+            {
+                let command = Command::Scene(SceneCommand::Shot(command));
+                let Some(label) = label else { continue };
+                if ui.button(label).on_hover_text(table::help_of(&command)).clicked() {
+                    out.push(command);
+                }
+            }
+        });
+        new.response.widget_info(|| {
+            WidgetInfo::labeled(Role::Button, true, tr!("New shot of the scene, or over this shot"))
+        });
     });
+}
+
+/// Lists the shot's changes of values that are not there, with the ways out.
+fn lost(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
+    let lost = shot.lost_changes();
+    if lost.is_empty() {
+        return;
+    }
+    let colors = theme::of(ui);
+    let count = lost.len();
+    let text = trn!(
+        count,
+        "{count} change is of what is not there, and keeps the shot from being rendered",
+        "{count} changes are of what is not there, and keep the shot from being rendered"
+    );
+    ui.label(RichText::new(text).small().color(colors.error));
+    for change in &lost {
+        let name = value_address(change.change.look.as_deref(), &change.change.target);
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                lost_buttons(ui, shot, change, &name, out);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    let text = RichText::new(&name).color(colors.text);
+                    ui.add(Label::new(text).truncate()).on_hover_text(&name);
+                });
+            });
+        });
+        let why = RichText::new(format!("   {}", change.why)).small().color(colors.error);
+        ui.add(Label::new(why).truncate()).on_hover_text(change.why);
+        ui.add_space(2.0);
+    }
+    ui.separator();
+}
+
+/// Shows the buttons of a change of what is not there: out of the shot, or to another object.
+fn lost_buttons(
+    ui: &mut Ui,
+    shot: &OpenShot,
+    change: &LostChange<'_>,
+    name: &str,
+    out: &mut Vec<Command>,
+) {
+    let reset = ui.small_button(tr!("Reset"));
+    reset.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Reset {name}")));
+    if reset.on_hover_text(tr!("Takes the change out of the shot")).clicked() {
+        push(out, ShotCommand::Edit(change.taken_back()));
+    }
+    let Some(from) = change.object() else { return };
+    let places = shot.unchanged_objects();
+    let help = tr!("All that the shot changes of {from} is of this object from now on");
+    let mut chosen = None;
+    match places.as_slice() {
+        [] => {}
+        [only] => {
+            let button = ui.small_button(tr!("Move to {only}"));
+            let label = tr!("Move {name} to {only}");
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
+            chosen = button.on_hover_text(&help).clicked().then_some(*only);
+        }
+        several => {
+            let menu = ui.menu_button(RichText::new(tr!("Move to...")).small(), |ui| {
+                for id in several {
+                    if ui.button(id.as_str()).on_hover_text(&help).clicked() {
+                        chosen = Some(*id);
+                    }
+                }
+            });
+            let label = tr!("Move {name} to another object");
+            menu.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
+        }
+    }
+    if let Some(to) = chosen {
+        push(out, ShotCommand::Edit(shot.moved(from, to)));
+    }
 }
 
 /// Lists the values that the shots change.
 fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>) {
+    lost(ui, shot, out);
     let standing: Vec<&ValueChange> =
         shot.resolved().changes.iter().filter(|change| change.stands).collect();
     if standing.is_empty() {

@@ -20,6 +20,8 @@ const LEAST_SEEN: f64 = 0.04;
 
 /// Greatest difference of two fields of view that are one lens, in radians.
 const SAME_LENS: f64 = 1e-3;
+/// Digits after the point of a camera's numbers, where it is one unit away.
+const DIGITS: i32 = 5;
 
 /// A camera on a sphere around a target, the illumination frame, and the mesh that the look is
 /// judged on.
@@ -188,10 +190,34 @@ impl Orbit {
         }
     }
 
+    /// The camera in numbers that people read: so many digits as its distance needs, and those of
+    /// `before` where nothing moved.
+    fn written_camera(&self, before: &Camera) -> Camera {
+        let camera = self.camera();
+        let digits = (DIGITS - self.distance.max(1e-3).log10().floor() as i32).clamp(0, 9);
+        let scale = 10.0_f64.powi(digits);
+        let written = |new: f64, old: f64, scale: f64| {
+            let is_same = (new - old).abs() * scale < 0.5;
+            if is_same { old } else { (new * scale).round() / scale + 0.0 }
+        };
+        let point = |new: [f64; 3], old: [f64; 3], scale: f64| {
+            std::array::from_fn(|axis| written(new[axis], old[axis], scale))
+        };
+        let of_units = 10.0_f64.powi(DIGITS);
+        Camera {
+            eye: point(camera.eye, before.eye, scale),
+            target: point(camera.target, before.target, scale),
+            up: point(camera.up, before.up, of_units),
+            fov: written(camera.fov, before.fov, of_units),
+            height: written(camera.height, before.height, scale),
+            ..camera
+        }
+    }
+
     /// The camera of this view with the lens of `before`, where the view has that lens, as it is
     /// shown in a picture of such an aspect, width over height.
     pub(crate) fn camera_with(&self, before: &Camera, aspect: f64) -> Camera {
-        let mut camera = self.camera();
+        let mut camera = self.written_camera(before);
         if camera.projection != before.projection {
             return camera;
         }
@@ -590,8 +616,12 @@ mod tests {
                 },
                 before
             );
+            assert_eq!([moved.eye, moved.target, moved.up], [before.eye, before.target, before.up]);
             orbit.orbit(0.3, 0.0);
             let turned = orbit.camera_with(&before, 1.2);
+            let digits = |x: f64| x.to_string().len();
+            let numbers = turned.eye.iter().chain(&turned.target);
+            assert!(numbers.into_iter().all(|x| digits(*x) <= 8), "{turned:?}");
             assert!(turned.eye != before.eye);
             assert_eq!((turned.fov, turned.aspect), (0.5, 1.78));
         }

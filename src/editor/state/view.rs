@@ -101,15 +101,19 @@ impl ViewState {
         is_cropped
     }
 
-    /// The edit that sets the scene's camera, lights and backdrop to the present view, in a picture
-    /// of such an aspect, width over height. The lens of the camera `before` stays where nobody
-    /// changed it.
-    pub(crate) fn as_scene_edit(&self, before: &Camera, aspect: f64) -> SceneEdit {
+    /// The edit that sets the scene's camera and backdrop to the present view, and with
+    /// `with_lights` the turn of the lights, in a picture of such an aspect, width over height. The
+    /// lens of the camera `before` stays where nobody changed it.
+    pub(crate) fn as_scene_edit(
+        &self,
+        before: &Camera,
+        aspect: f64,
+        with_lights: bool,
+    ) -> SceneEdit {
         let camera = SceneEdit::SetCamera { camera: self.orbit.camera_with(before, aspect) };
-        let mut edits = vec![
-            camera,
-            SceneEdit::SetIllumination { rotation: self.orbit.illumination.to_array() },
-        ];
+        let rotation = self.orbit.illumination.to_array();
+        let lights = with_lights.then_some(SceneEdit::SetIllumination { rotation });
+        let mut edits: Vec<SceneEdit> = std::iter::once(camera).chain(lights).collect();
         edits
             .extend(self.orbit.backdrop.map(|color| SceneEdit::SetBackdrop { color: Some(color) }));
         SceneEdit::Group { edits }

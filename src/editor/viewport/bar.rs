@@ -11,8 +11,8 @@ use super::colors;
 use super::lying::StandUpOffer;
 use super::show::{self, ReferencePlacement};
 use super::solo_bar;
-use crate::commands::{Command, PanelId, PictureExport, ViewCommand, table};
-use crate::document::{Projection, Scene};
+use crate::commands::{Command, PanelId, PictureExport, SceneCommand, ViewCommand, table};
+use crate::document::{Projection, Scene, SceneEdit};
 use crate::fields::names;
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
@@ -298,7 +298,9 @@ pub(super) fn over_top(
 ) {
     let open_scene = session.open_scene();
     let is_soloed = open_scene.is_some_and(|open_scene| !open_scene.scene().soloed.is_none());
-    let is_told = is_soloed || session.view.wire.is_some() || !session.view.solo.is_empty();
+    let is_turned = session.lights_of_shot().is_some();
+    let is_told =
+        is_soloed || is_turned || session.view.wire.is_some() || !session.view.solo.is_empty();
     if !is_told && through.is_none() && stands.offer(session).is_none() {
         stand_below(ui.ctx(), 0.0);
         return;
@@ -319,6 +321,7 @@ pub(super) fn over_top(
                 through_bar(ui, name, out);
             }
             wire_bar(ui, session, out);
+            turned_bar(ui, session, out);
             out.extend(solo_bar::show(ui, session));
             out.extend(solo_bar::of_scene(ui, session));
             out.extend(stands.show(ui, session));
@@ -350,6 +353,33 @@ fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
             });
         });
     });
+}
+
+/// Says that the lights were turned by hand, which is not what the open shot renders, with buttons
+/// that turn them back and that keep the turn in the shot.
+fn turned_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
+    let illumination = session.lights_of_shot()?;
+    let text = tr!("Lights turned by hand: rendered frames have them as the shot does");
+    let help = tr!(
+        "A drag on the object turns all lights around it, in this window only. R takes it \
+         back, too"
+    );
+    let back = (tr!("Back to the shot's"), tr!("The lights are as the shot has them again"));
+    let keep = (
+        tr!("Keep in the shot"),
+        tr!("The shot turns all lights like this from now on: at this frame where that is keyed"),
+    );
+    out.push(match solo_bar::bar(ui, text, help, &[back, keep])? {
+        0 => {
+            let view = Orbit { illumination, ..session.view.orbit.clone() };
+            Command::View(ViewCommand::TurnTo(Box::new(view)))
+        }
+        _ => {
+            let rotation = session.view.orbit.illumination.to_array();
+            Command::Scene(SceneCommand::Edit(SceneEdit::SetIllumination { rotation }))
+        }
+    });
+    Some(())
 }
 
 /// Says that a wire is viewed in place of the picture, with a button that leads back.

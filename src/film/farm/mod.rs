@@ -55,14 +55,15 @@ impl FarmJob {
         format!("{} render {} --frames {frames}", quoted(&self.program), words.join(" "))
     }
 
-    /// The commands of the last task: a check of all frames, and a contact sheet where they are
-    /// whole.
+    /// The commands of the last task: a check of all frames, which are to be whole and of the
+    /// document as it is now, and a contact sheet where they are.
     fn check(&self) -> [String; 2] {
         let (program, output) = (quoted(&self.program), quoted(&self.output));
         let frames = self.frames.to_string();
         let frames = quoted(&frames);
+        let words = self.render.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" ");
         [
-            format!("{program} verify {output} --frames {frames}"),
+            format!("{program} verify {output} --frames {frames} --of {words}"),
             format!(
                 "{program} sheet {output} --frames {frames} -o {} --force",
                 quoted(&self.sheet)
@@ -183,7 +184,14 @@ mod tests {
     fn every_farm_writes_every_chunk_and_the_check() {
         for farm in FARMS {
             let text = farm.job(&job()).unwrap();
-            for needed in ["shot.json", "fov=20;eye=0,0,5", "verify", "out/sheet.png", "a b"] {
+            for needed in [
+                "shot.json",
+                "fov=20;eye=0,0,5",
+                "verify",
+                "--of shot.json",
+                "out/sheet.png",
+                "a b",
+            ] {
                 assert!(text.contains(needed), "{farm:?}: no `{needed}` in {text}");
             }
             assert_eq!(Farm::named(farm.word).map(|found| found.word), Some(farm.word));

@@ -73,7 +73,8 @@ mod tests {
             "--dependency=afterany:$render",
             "%A_%a.log ${SBATCH_OPTIONS:-} ${RENDER_OPTIONS:-} <<",
             "-check-%j.log ${SBATCH_OPTIONS:-} <<",
-            "chiaro verify 'out/####.exr' --frames 1-25 &&\n",
+            "chiaro verify 'out/####.exr' --frames 1-25 --of shot.json -o 'out/####.exr' --camera \
+             'fov=20;eye=0,0,5' &&\n",
         ] {
             assert!(text.contains(needed), "no `{needed}` in {text}");
         }

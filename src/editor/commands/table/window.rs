@@ -41,8 +41,18 @@ pub(super) fn files() -> Vec<CommandRow> {
             Window,
         )
         .help(text!(
-            "A shot over the open scene, or over the open shot: frames, and values that are \
-             changed over it, in a file of its own"
+            "A shot over the open scene, also where another shot of it is open: frames, and values \
+             that are changed over it, in a file of its own"
+        )),
+        row(
+            C::Scene(SceneCommand::Shot(ShotCommand::NewOver)),
+            text!("New shot over this shot"),
+            &[],
+            Window,
+        )
+        .help(text!(
+            "A shot over the open shot, as over a sequence: all that the open one changes stands \
+             beneath it, also what that changes later"
         )),
         row(C::Redo, text!("Redo"), &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
         row(C::Undo, text!("Undo"), &[(CTRL, Key::Z)], Window),
@@ -125,8 +135,8 @@ fn films_and_scales() -> Vec<CommandRow> {
         row(C::ExportPicture, text!("Export the picture as PNG..."), &[], Window)
             .in_menu(Menu::Export),
         row(C::Scene(SceneCommand::KeepView), text!("Keep this view"), &[], Window).help(text!(
-            "The camera, the turn of the lights and the backdrop of the picture become the \
-             scene's, or the shot's"
+            "The camera and the backdrop of the picture become the scene's, or the shot's, and in a \
+             scene the turn of the lights, too"
         )),
         row(C::ShowPanel(PanelId::FRAMES), text!("Render frames..."), &[], Window)
             .help(text!(

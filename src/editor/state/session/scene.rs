@@ -214,15 +214,21 @@ impl Session {
     }
 
     /// Makes the present view the scene's, in a picture of such an aspect, width over height; of a
-    /// shot, its own, and the picture follows the shot's camera again.
+    /// shot, its own camera, which the picture follows again. Lights that were turned by hand over
+    /// a shot stay so, and the shot's stay as they are.
     ///
     /// # Errors
     /// No scene is open.
     pub(crate) fn keep_view(&mut self, aspect: f64) -> Result<(), Box<Diagnostic>> {
         let before = self.open_scene().map(|open_scene| open_scene.scene().camera);
-        let edit = self.view.as_scene_edit(&before.unwrap_or_default(), aspect);
+        let with_lights = self.shot().is_none();
+        let edit = self.view.as_scene_edit(&before.unwrap_or_default(), aspect, with_lights);
         self.apply_to_scene(edit, None)?;
+        let turned = self.lights_of_shot().map(|_| self.view.orbit.illumination);
         self.show_shot_at_time(true);
+        if let Some(turned) = turned {
+            self.view.orbit.illumination = turned;
+        }
         Ok(())
     }
 

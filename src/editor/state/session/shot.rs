@@ -50,13 +50,14 @@ impl Session {
         Ok(())
     }
 
-    /// Begins a shot over the open scene, or over the open shot, as their files have them. The open
-    /// look is opened again, under the shot.
+    /// Begins a shot over the open scene, or with `is_over_shot` over the open shot where that has a
+    /// file, as their files have them. The open look is opened again, under the shot.
     ///
     /// # Errors
     /// Problems that keep what would lie under the shot from being read; all stays open then.
-    pub(crate) fn begin_shot(&mut self) -> Result<(), Vec<Diagnostic>> {
-        let of_shot = self.shot().filter(|shot| shot.has_file()).map(OpenShot::path);
+    pub(crate) fn begin_shot(&mut self, is_over_shot: bool) -> Result<(), Vec<Diagnostic>> {
+        let of_shot = self.shot().filter(|shot| is_over_shot && shot.has_file());
+        let of_shot = of_shot.map(OpenShot::path);
         let beneath = of_shot.or_else(|| self.open_scene()?.path()).map(Path::to_path_buf);
         let Some(beneath) = beneath else {
             let message = tr!("a shot lies over the file of a scene, and there is none yet");
@@ -151,13 +152,27 @@ impl Session {
         if shot.shown_at == Some(time) && !follows {
             return;
         }
-        let follows = follows || shot.is_followed(&self.view.orbit);
+        // Lights that were turned by hand stay so, whatever the camera does.
+        let turned = shot.lights_turned_from(&self.view.orbit, time).filter(|_| !follows);
+        let turned = turned.map(|_| self.view.orbit.illumination);
+        let follows = follows || shot.is_camera_followed(&self.view.orbit);
         let of_file = follows.then(|| self.camera_of_file(time)).flatten();
         let Some(open_scene) = &mut self.open_scene else { return };
         open_scene.show_at(time);
-        if let Some(shot) = open_scene.shot.as_deref_mut().filter(|_| follows) {
-            shot.look_from_camera(&mut self.view.orbit, time, of_file);
+        let Some(shot) = open_scene.shot.as_deref_mut() else { return };
+        match follows {
+            true => shot.look_from_camera(&mut self.view.orbit, time, of_file),
+            false if turned.is_none() => shot.put_lights(&mut self.view.orbit, time),
+            false => {}
         }
+        if let Some(turned) = turned {
+            self.view.orbit.illumination = turned;
+        }
+    }
+
+    /// The turn of the lights that the shot has now, where the window shows another one.
+    pub(crate) fn lights_of_shot(&self) -> Option<glam::DQuat> {
+        self.shot()?.lights_turned_from(&self.view.orbit, self.view.time)
     }
 
     /// The camera that a mesh's file brings, where the scene asks for it and the mesh is read.
@@ -619,6 +634,38 @@ pub(super) mod tests {
         session.open(&folder.join("shot.json")).unwrap();
         session.open(&folder.join("look.json")).unwrap();
         session
+    }
+
+    #[test]
+    fn lights_that_a_hand_turned_are_the_windows_until_they_are_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut session = opened(folder.path());
+        let targets = |session: &Session| -> Vec<String> {
+            let changes = &session.shot().unwrap().shot().overrides;
+            changes.iter().map(|change| change.target.clone()).collect()
+        };
+        assert!(session.follows_shot() && session.lights_of_shot().is_none());
+        let of_shot = session.view.orbit.illumination;
+        session.view.orbit.illumination = glam::DQuat::from_rotation_y(0.5) * of_shot;
+        let turned = session.view.orbit.illumination;
+        assert_eq!(session.lights_of_shot(), Some(of_shot));
+        // The camera follows on, and the lights stay where the hand has put them.
+        session.set_time(0.5);
+        assert_eq!((session.view.orbit.illumination, session.follows_shot()), (turned, false));
+        session.view.orbit.orbit(0.3, 0.1);
+        session.keep_view(1.5).unwrap();
+        let kept = targets(&session);
+        assert!(kept.contains(&"camera.eye".to_owned()), "{kept:?}");
+        assert!(!kept.contains(&"illumination".to_owned()), "{kept:?}");
+        assert_eq!(session.lights_of_shot(), Some(of_shot), "and are still told");
+        let eye = session.open_scene().unwrap().scene().camera.eye;
+        assert!(eye.iter().all(|x| x.to_string().len() <= 9), "{eye:?} is read by people");
+        let rotation = turned.to_array();
+        session.apply_to_scene(SceneEdit::SetIllumination { rotation }, None).unwrap();
+        assert!(targets(&session).contains(&"illumination".to_owned()));
+        assert!(session.lights_of_shot().is_none());
+        session.undo();
+        assert!(session.lights_of_shot().is_none(), "one step back");
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! is edited, journaled, undone and saved; the files under it stay as they are.
 
 mod camera_keys;
+mod lost;
 mod writing;
 
 use std::path::{Path, PathBuf};
@@ -25,6 +26,7 @@ use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::revision::StepTime;
 use crate::state::scene::{folder_of, real, relative};
+pub(crate) use lost::{LostChange, shots_that_change};
 pub(crate) use writing::ShotWriter;
 
 /// Frames of a new shot, and the size of its pictures, in pixels.
@@ -63,6 +65,9 @@ pub struct OpenShot {
     /// View that the shot's camera had put the window in last.
     view: Option<FollowedView>,
 }
+
+/// Greatest angle between two turns of the lights that are the same, in radians.
+const TURNED: f64 = 1e-4;
 
 /// Part of a view that the shot's camera and lights decide: a hand that turns the view changes it.
 #[derive(Clone, PartialEq)]
@@ -373,7 +378,33 @@ impl OpenShot {
         (scene.camera, lights)
     }
 
-    /// True if the window looks from where the shot's camera has put it.
+    /// The turn of the lights that the shot has at a time, in seconds, where the window shows
+    /// another one, which a hand gave it; `None` where both are the same.
+    pub(crate) fn lights_turned_from(&self, orbit: &Orbit, time: f64) -> Option<glam::DQuat> {
+        let is_put = |view: &FollowedView| view.illumination == orbit.illumination;
+        if self.view.as_ref().is_none_or(is_put) {
+            return None;
+        }
+        let lights = crate::state::scene::unit_rotation(self.camera_at(time).1);
+        (lights.angle_between(orbit.illumination) > TURNED).then_some(lights)
+    }
+
+    /// Puts the window's lights where the shot has them at a time, in seconds; the camera stays.
+    pub(crate) fn put_lights(&mut self, orbit: &mut Orbit, time: f64) {
+        let lights = crate::state::scene::unit_rotation(self.camera_at(time).1);
+        if let Some(view) = &mut self.view {
+            (orbit.illumination, view.illumination) = (lights, lights);
+        }
+    }
+
+    /// True if the window looks from where the shot's camera has put it, whatever its lights do.
+    pub(crate) fn is_camera_followed(&self, orbit: &Orbit) -> bool {
+        self.view.as_ref().is_some_and(|view| {
+            *view == FollowedView { illumination: view.illumination, ..FollowedView::of(orbit) }
+        })
+    }
+
+    /// True if the window looks from where the shot's camera has put it, with the shot's lights.
     pub(crate) fn is_followed(&self, orbit: &Orbit) -> bool {
         self.view.as_ref().is_some_and(|view| *view == FollowedView::of(orbit))
     }
