@@ -11,7 +11,7 @@ use chiaro::film::exr::{self, ExrContent, SampleType};
 use chiaro::library::Library;
 use serde_json::{Value as Json, json};
 
-use crate::support::{root, validators::say};
+use crate::support::{root, validators::film_judge};
 
 /// A folder in which pictures are rendered.
 struct RenderFolder(tempfile::TempDir);
@@ -402,20 +402,9 @@ fn the_matte_of_lights_tells_the_strongest() {
     assert!(alone.names().iter().all(|name| !name.contains("key")), "{:?}", alone.names());
 }
 
-/// Python with the packages that judge layers, if this machine has them.
-fn judge() -> Option<Command> {
-    let python = std::env::var("CHIARO_FILM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let probe = Command::new(&python).args(["-c", "import cryptomatte_api, OpenImageIO"]).output();
-    if probe.is_ok_and(|output| output.status.success()) {
-        return Some(Command::new(python));
-    }
-    say("SKIPPED: the Python packages openimageio and cryptomatte-api are missing");
-    None
-}
-
 #[test]
 fn others_read_the_layers_and_decode_the_mattes() {
-    let Some(mut python) = judge() else { return };
+    let Some(mut python) = film_judge() else { return };
     let folder = RenderFolder::with_scene();
     folder.layers(&folder.path("scene.json"), &["--matte", "objects", "--aov", "layers"]);
     python.arg(root().join("tests/film/judge.py")).arg(folder.path("out.exr"));
