@@ -171,9 +171,11 @@ impl MaskTool {
         if self.worker.owes() {
             return;
         }
-        let (Some(file), Some((_, laying)), Some(change)) =
-            (session.mask_file(layer), painted_of(session.look(), layer), self.waiting.pop_front())
-        else {
+        let (Some(file), Some((_, laying)), Some(change)) = (
+            session.mask_file(layer),
+            painted_of(session.look(), layer),
+            self.waiting.pop_front(),
+        ) else {
             return;
         };
         let size = picture_size(rect, ui.pixels_per_point());
