@@ -356,10 +356,9 @@ fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
 fn turned_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let illumination = session.lights_of_shot()?;
     let text = tr!("Lights turned by hand: rendered frames have them as the shot does");
-    let help = tr!(
-        "A drag on the object turns all lights around it, in this window only. R takes it \
-         back, too"
-    );
+    let help =
+        tr!("A drag on the object turns all lights around it, in this window only. R takes it \
+         back, too");
     let back = (tr!("Back to the shot's"), tr!("The lights are as the shot has them again"));
     let keep = (
         tr!("Keep in the shot"),
