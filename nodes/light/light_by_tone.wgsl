@@ -6,7 +6,7 @@ import chiaro::total;
 /// Light by tone
 ///
 /// Moves a light between the horizon and the normal by a tone: bright looks straight down, dark
-/// grazes. An HCBTF that is painted with other strokes for lower lights then shows those where
+/// grazes. A painted surface (HCBTF) with other strokes for lower lights then shows those where
 /// several lights, a shadow or an ambient term leave it darker, in place of dimming the strokes
 /// that are there.
 ///

@@ -7,9 +7,12 @@ use serde_json::json;
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
 use super::render::{Size, parse_time, size_of};
+use crate::catalog::{Catalog, wires::WirePart};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::frame::{Assets, PlanOptions, Planner, open};
+use crate::document::Look;
+use crate::frame::{Assets, FramePlan, PlanOptions, Planner, Setup, open};
+use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::{
     LightAccount, ReferenceOptions, WireValue, light_accounts, probe_surface, probe_wires,
@@ -26,7 +29,9 @@ Examples:
 The look is run as it is written, nothing folded, by the reference: once with every operation \
 rounded to f32, as a GPU
 computes, and once in f64. Rows are in the order of computing, so the first one marked `!` is \
-where a broken pixel begins.";
+where a broken pixel begins.
+Angles are in degrees and colors hexadecimal; `--json` has every number, angles as the sine and \
+cosine of their half.";
 
 /// Arguments of `chiaro probe`.
 #[derive(Debug, clap::Args)]
@@ -112,25 +117,39 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         });
         output.json(&rows.collect());
     } else {
-        output.result(&table(&wires));
+        output.result(&table(&wires, worn_look(&setup, &plan, &wires), &library));
     }
     Ok(())
 }
 
-fn table(wires: &[WireValue]) -> String {
-    let numbers =
-        |numbers: &[f64]| numbers.iter().map(|x| format!("{x:.7}")).collect::<Vec<_>>().join(" ");
-    let width = wires.iter().map(|wire| wire.node.to_string().len()).max().unwrap_or(0);
-    let lines = wires.iter().map(|wire| {
+/// The look of the object that the pixel shows.
+fn worn_look<'s>(setup: &'s Setup, plan: &FramePlan, wires: &[WireValue]) -> Option<&'s Look> {
+    let draw = plan.draws.get(wires.first()?.draw)?;
+    let object = setup.objects.iter().find(|object| object.id == draw.object)?;
+    let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices)?;
+    Some(&setup.looks.get((*object.looks.get(part)?)?)?.look)
+}
+
+/// A wire a line, by the path of its node and the part of the node that its value is.
+fn table(wires: &[WireValue], look: Option<&Look>, library: &Library) -> String {
+    let mut catalog = Catalog::new(library);
+    look.into_iter().for_each(|look| catalog.sync(look, library));
+    let rows: Vec<[String; 3]> = wires
+        .iter()
+        .map(|wire| {
+            let node = look.and_then(|look| library.node_of(look, wire.node.ids()));
+            let kind = node.and_then(|(_, node)| catalog.of(node));
+            let count = wire.double.len();
+            let part = kind.map_or(WirePart::Numbers, |kind| WirePart::of(kind, &wire.name, count));
+            let label = part.label().map_or_else(String::new, |label| format!(": {label}"));
+            [wire.node.to_string() + &label, part.text(&wire.single), part.text(&wire.double)]
+        })
+        .collect();
+    let width = rows.iter().map(|[name, ..]| name.chars().count()).max().unwrap_or(0);
+    let lines = wires.iter().zip(&rows).map(|(wire, [name, single, double])| {
         let mark = if wire.is_finite() { ' ' } else { '!' };
-        let node = wire.node.to_string();
-        let pad = " ".repeat(width + 3);
-        format!(
-            "{mark}{node:<width$}  {}\n{pad}{}  off by {:.1e}",
-            numbers(&wire.single),
-            numbers(&wire.double),
-            wire.difference()
-        )
+        let truth = if single == double { String::new() } else { format!(", {double} in f64") };
+        format!("{mark}{name:<width$}  {single}{truth}, off by {:.1e}", wire.difference())
     });
     lines.collect::<Vec<_>>().join("\n")
 }
@@ -170,4 +189,34 @@ fn light_list(lights: &[LightAccount]) -> String {
         lines.extend(told);
     }
     lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ids::NodePath;
+
+    #[test]
+    fn wires_are_told_in_degrees_and_colors() {
+        let look = r#"{"nodes": [{"id": "rim", "kind": "light_layer"}]}"#;
+        let look = Look::read(look, "test").value.unwrap();
+        let wire = |path: &str, name: &str, single: &[f64], double: &[f64]| WireValue {
+            draw: 0,
+            node: NodePath::parse(path),
+            light: None,
+            name: name.to_owned(),
+            single: single.to_vec(),
+            double: double.to_vec(),
+        };
+        let (sine, cosine) = 20f64.to_radians().sin_cos();
+        let wires = [
+            wire("rim/angle", "rim_angle", &[sine, cosine], &[sine, cosine]),
+            wire("rim/color", "rim_color_convex", &[1.0; 4], &[1.0; 4]),
+            wire("rim/tone", "rim_tone", &[f64::NAN], &[0.5]),
+        ];
+        let expected = " rim/angle          40°, off by 0.0e0\n \
+                        rim/color: Convex  #ffffff, off by 0.0e0\n\
+                        !rim/tone           NaN, 0.5 in f64, off by inf";
+        assert_eq!(table(&wires, Some(&look), Library::built_in()), expected);
+    }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use eframe::egui::{Pos2, vec2};
 
 use crate::editor_support::User;
-use chiaro::document::{Ramp, Value};
+use chiaro::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, Ramp, Target, Value};
 
 fn ramp(hand: &User, node: &str) -> Ramp {
     match hand.look().graph.nodes[node].values.get("bands") {
@@ -113,4 +113,51 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     hand.settle();
     let radii = ["offset", "falloff", "cutoff"].map(|port| number(&hand, "cut_highlight", port));
     assert!(radii[0] > 0.3 && radii[0] == radii[2], "larger, and hard: {radii:?}");
+    let (split, center) = (at(&hand, "Split"), at(&hand, "Move"));
+    let before = number(&hand, "cut_highlight", "split");
+    hand.drag(split, split + (split - center));
+    hand.settle();
+    let apart = number(&hand, "cut_highlight", "split");
+    assert!(apart > before + 0.2, "{apart} after {before}");
+
+    // Square and star have no handles, but values beside those of the handles.
+    for (label, port, value) in [("Square", "square", "0.6"), ("Star", "star", "0.25")] {
+        hand.set(label, value);
+        assert_eq!(number(&hand, "cut_highlight", port).to_string(), value);
+    }
+    assert!(hand.errors().is_empty(), "{:?}", hand.errors());
+    is_keyed_by_view(&mut hand);
+}
+
+/// A handle of a highlight that is keyed by the view sets the key of this view alone.
+fn is_keyed_by_view(hand: &mut User) {
+    let target = Target::parse("cut_highlight.turn").expect("a target");
+    let own = number(hand, "cut_highlight", "turn");
+    let key = |direction: [f64; 3]| DirectionKey {
+        direction,
+        values: [(target.clone(), Value::Number(0.0))].into_iter().collect(),
+        unknown: Default::default(),
+    };
+    let keys = DirectionKeys {
+        name: "Seen from aside".to_owned(),
+        by: KeyDirection::View,
+        scheme: Default::default(),
+        keys: vec![key([0.0, 0.0, 1.0]), key([1.0, 0.0, 0.0])],
+        unknown: Default::default(),
+    };
+    let edit = Edit::AddDirectionKeys { keys, index: None };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    let at = |hand: &User, label| hand.app().viewport().highlight_handle(label).expect(label);
+    let (turn, middle) = (at(hand, "Turn"), at(hand, "Move"));
+    let arm = turn - middle;
+    hand.drag(turn, middle + vec2(arm.y, -arm.x));
+    hand.settle();
+    let turn_of = |key: &DirectionKey| match key.values[&target] {
+        Value::Number(turn) => turn,
+        ref other => panic!("{other:?}"),
+    };
+    let turns: Vec<f64> = hand.look().direction_keys[0].keys.iter().map(turn_of).collect();
+    assert!((turns[0] - 0.5 * PI).abs() < 0.3, "the key in front: {turns:?}");
+    assert_eq!((turns[1], number(hand, "cut_highlight", "turn")), (0.0, own), "the others stay");
 }

@@ -136,6 +136,51 @@ fn light_is_painted_fitted_applied_and_undone() {
     assert_eq!(*hand.look(), after);
 }
 
+/// *Light it there*: the journey from a stroke to a layer of its own and back.
+#[test]
+fn a_stroke_is_lit_there_by_a_layer_of_its_own_and_undone() {
+    let mut hand = painter("examples/looks/figure3-profile.json");
+    hand.app_mut().fitting_mut().set_effort(40, 2);
+    let before = hand.look().clone();
+    // On the side away from the light.
+    stroke(&mut hand, "Light", &[[0.35, -0.2], [0.5, -0.35], [0.4, -0.5]]);
+    hand.press("Light it there");
+    let [was, is] = hand
+        .app()
+        .fitting()
+        .errors()
+        .unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
+    assert!(is < 0.7 * was, "{is} of {was}");
+    assert_eq!(*hand.look(), before, "a preview is no edit");
+    assert!(hand.app().session().sketchbook().preview().is_some());
+    hand.press("Apply");
+
+    // All that was there is there; a layer lies on top, with a light of its own.
+    let after = hand.look().clone();
+    for (id, node) in &before.graph.nodes {
+        let kept = after.graph.nodes.get(id).expect("it stays");
+        assert_eq!((&kept.kind, &kept.values), (&node.kind, &node.values), "{id}");
+    }
+    assert!(before.lights.iter().all(|(id, light)| after.lights.get(id) == Some(light)));
+    let new = after.graph.nodes.iter().filter(|(id, _)| !before.graph.nodes.contains_key(*id));
+    let kinds: Vec<&str> = new.map(|(_, node)| node.kind.as_str()).collect();
+    assert!(kinds.contains(&"light_layer"), "{kinds:?}");
+    assert!(kinds.iter().all(|kind| ["light_layer", "nearby"].contains(kind)), "{kinds:?}");
+    assert!(after.lights.len() > before.lights.len());
+    assert!(hand.errors().is_empty(), "{:?}", hand.errors());
+
+    // Lighter at the stroke, and the rest as it was, but for a bound of 6 of 255 over all of it.
+    let lighter = |place: [f64; 2]| brightness(&after, place) - brightness(&before, place);
+    let there = lighter([0.45, -0.35]);
+    assert!(there > 0.04, "{there}");
+    for place in [[-0.5, 0.4], [0.0, 0.6], [-0.6, -0.2], [-0.5, -0.5]] {
+        let moved = lighter(place).abs();
+        assert!(moved < 0.04 && moved < 0.5 * there, "{place:?}: {moved}");
+    }
+    hand.undo();
+    assert_eq!(*hand.look(), before, "one step");
+}
+
 #[test]
 fn new_layers_take_the_place_of_the_nodes() {
     let mut hand = painter("examples/looks/figure3-profile.json");

@@ -3,6 +3,10 @@
 //! name on the screen, and every journey ends with the same proof: the file holds the window's
 //! look, another window and the program without a window draw the same picture of it, and compilers
 //! of other projects take its shaders.
+//!
+//! Journeys through a part of the window end where that part ends, and stand with its tests:
+//! masks in `stack`, bands and handles of highlights in `bands`, the library in
+//! `library`, snapshots and variations in `snapshots`, light that is laid at a stroke in `fit`.
 
 mod a_light_by_its_highlight;
 mod a_look_from_nothing;

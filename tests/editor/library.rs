@@ -209,3 +209,76 @@ fn presets_and_a_shared_folder_are_in_the_library() {
     hand.press(&take_off);
     assert!(!hand.says("Not there at the moment"));
 }
+
+const SCENE: &str = r#"{"chiaro": "scene", "objects": [
+    {"id": "ring", "mesh": "shape:torus", "transform": {"translate": [-2.5, 0, 0]},
+      "looks": "to.json"},
+    {"id": "ball", "mesh": "shape:sphere", "looks": "to.json"}],
+  "camera": {"eye": [0, 0, 9]}}"#;
+
+/// Types into the search of the parts.
+fn search_parts(hand: &mut User, text: &str) {
+    let search = hand.place("Search parts").center();
+    hand.click(search);
+    hand.key_with(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
+    hand.type_text(text);
+    hand.settle();
+}
+
+/// A look that is dropped on an object is worn by that object alone; a profile that is dropped on
+/// an input shapes the selected node.
+#[test]
+fn parts_are_dropped_on_an_object_and_on_an_input() {
+    let home = Home::new();
+    let [look, scene] = ["to.json", "scene.json"].map(|name| home.file(name));
+    fs::write(&look, TO).unwrap();
+    fs::write(&scene, SCENE).unwrap();
+    let library = home.places().config.join("library");
+    fs::create_dir_all(&library).unwrap();
+    fs::write(library.join("zebra.json"), TO.replace("\"To\"", "\"Zebra\"")).unwrap();
+    let mut hand = home.window(Some(&scene));
+    hand.settle();
+    hand.tab("Library");
+    hand.press("Parts");
+    search_parts(&mut hand, "zebra");
+    hand.bring(Role::Button, "Part Zebra, look");
+    let part = hand.place("Part Zebra, look").center();
+    // The ball stands in the middle of the picture.
+    let ball = hand.app().viewport().rect().unwrap().center();
+    hand.drag(part, ball);
+    hand.settle();
+    let worn = |hand: &User, id: &str| -> Vec<String> {
+        let scene = hand.app().session().open_scene().expect("a scene").scene();
+        scene.objects[id].looks.values().cloned().collect()
+    };
+    let [ring, dressed] = ["ring", "ball"].map(|id| worn(&hand, id));
+    assert!(dressed.iter().all(|look| look.ends_with("zebra.json")), "{dressed:?}");
+    assert_eq!(ring, ["to.json"], "the other object stays");
+    let told = hand.app().message().unwrap_or_default().to_owned();
+    assert!(told.contains("ball is linked to"), "{told}");
+    hand.undo();
+    hand.settle();
+    assert_eq!(worn(&hand, "ball"), ["to.json"], "one step");
+
+    hand.app_mut().session_mut().select(vec!["body".into()]);
+    hand.settle();
+    search_parts(&mut hand, "terminator");
+    hand.bring(Role::Button, "Part Soft terminator, profile");
+    let part = hand.place("Part Soft terminator, profile").center();
+    let find = hand.place("Find a value");
+    hand.type_over(find, "Offset");
+    let row = hand.place("Keys of Offset").center();
+    hand.drag(part, row);
+    hand.settle();
+    let values = &hand.look().graph.nodes["body"].values;
+    let number = |port: &str| match values.get(port) {
+        Some(chiaro::document::Value::Number(number)) => *number,
+        other => panic!("{port}: {other:?}"),
+    };
+    assert_eq!(["offset", "falloff", "cutoff"].map(number), [0.35, 1.57, 2.7]);
+    let told = hand.app().message().unwrap_or_default().to_owned();
+    assert!(told.contains("\"Soft terminator\" is copied into Body"), "{told}");
+    hand.undo();
+    hand.settle();
+    assert!(!hand.look().graph.nodes["body"].values.contains_key("cutoff"), "one step");
+}

@@ -398,7 +398,7 @@ fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
     let gray = color_at(&mut hand, at);
     let expected = (tone * 255.0).round() as u8;
     assert!(gray[..3].iter().all(|c| c.abs_diff(expected) <= 8), "{gray:?} for {tone}");
-    assert!(hand.harness.query_by_label("Showing Tone of Diffuse / tone as color").is_some());
+    assert!(hand.harness.query_by_label("Showing Tone of Diffuse / Profile as color").is_some());
     assert!(
         !hand.app().session().is_dirty()
             && hand.app().session().compilation().problems().is_empty()

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use crate::editor_support::User;
+use chiaro::document::{Edit, GraphId};
 use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::kittest::Queryable as _;
 
@@ -113,6 +114,17 @@ fn the_old_picture_steps_back_while_another_look_is_prepared() {
     hand.app_mut().session_mut().start_new();
     hand.settle();
     assert!(!hand.says("No picture yet"));
+
+    // After an error of the graph the picture says that it is of the graph before.
+    let stale = "Of the graph before the error";
+    assert!(!hand.has(stale));
+    let remove = Edit::RemoveNode { graph: GraphId::Look, id: "output".into() };
+    hand.app_mut().session_mut().apply(remove, None).unwrap();
+    hand.settle();
+    assert!(hand.has(stale) && !hand.errors().is_empty(), "{:?}", hand.errors());
+    hand.undo();
+    hand.settle();
+    assert!(!hand.has(stale) && hand.errors().is_empty(), "{:?}", hand.errors());
 }
 
 #[test]
@@ -129,6 +141,12 @@ fn the_look_is_seen_on_another_mesh_and_on_one_from_a_file() {
     std::fs::write(&file, "v -1 -1 0\nv 1 -1 0\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n").unwrap();
     hand.app_mut().show_on(&file.to_string_lossy());
     hand.settle();
+    // What was noted of the file goes from the status bar once it was read.
+    let list = "Open the list of problems";
+    assert!(hand.has(list) && hand.says("normals were made"));
+    hand.press(list);
+    assert!(hand.says("normals were made"), "the panel has it");
+    assert!(!hand.has(list));
     let wedge = middle_row(&mut hand);
     assert_ne!(torus, wedge);
 

@@ -153,7 +153,7 @@ fn what_is_thrown_away_stays_until_the_window_closes() {
     let later = home.after_a_crash();
     let mut hand = later.window(None);
     hand.press("Throw it away");
-    assert!(hand.says("thrown away when this window closes") && later.journals() == 1);
+    assert!(hand.says("are thrown away when this window closes") && later.journals() == 1);
     hand.press("Keep it");
     drop(hand);
     let mut hand = later.window(None);

@@ -159,6 +159,25 @@ fn restored_work_brings_the_frames_that_are_played() {
 }
 
 #[test]
+fn work_of_a_closed_window_brings_the_frames_that_are_played() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    set_intensity(&mut hand, 2.0);
+    hand.app().session().wait_for_journal();
+    hand.app_mut().session_mut().close_journal(true);
+    drop(hand);
+    // The file is named in another way than its journal does, as from its own folder.
+    std::fs::create_dir(home.file("other")).unwrap();
+    let mut again = home.window(Some(&home.file("other/../shot.json")));
+    again.settle();
+    again.press("View");
+    again.press_a(Role::CheckBox, "Timeline");
+    again.key(Key::Escape);
+    again.settle();
+    assert_eq!((intensity(&again), range(&again)), (2.0, [0.0, 48.0]));
+}
+
+#[test]
 fn a_new_shot_is_saved_under_its_own_name() {
     let home = Home::new();
     write(&home, &FILES);

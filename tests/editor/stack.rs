@@ -727,4 +727,5 @@ fn a_mask_is_painted_on_the_model_stroke_by_stroke() {
     hand.undo();
     hand.settle();
     assert!(hand.look().graph.wire_into(&"diffuse".into(), &"opacity".into()).is_none());
+    assert!(!file.exists(), "the untouched mask goes with its step");
 }

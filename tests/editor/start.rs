@@ -708,6 +708,43 @@ fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
     hand.settle();
     assert!(!says(&hand, "shows no file dialog") && says(&hand, "a sheet of a wedge"));
+    // A double click on a file of the list opens it.
+    let other = home.file("c.json");
+    fs::copy(&path, &other).unwrap();
+    type_path(&mut hand, home.0.path());
+    let row = hand.harness.get_by_role_and_label(Role::Button, "c.json").rect().center();
+    hand.double_click(row);
+    hand.settle();
+    assert_eq!(hand.app().session().path(), Some(other.as_path()));
+}
+
+#[test]
+fn what_is_typed_right_after_its_key_goes_to_the_palette() {
+    let mut hand = User::new();
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let look = hand.look().clone();
+    let key = |key, modifiers| Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    };
+    // A slow window gets the first letters with the key itself and before the palette is there.
+    let first = [key(Key::P, Modifiers::COMMAND), key(Key::X, Modifiers::NONE)];
+    hand.harness.input_mut().events.extend(first);
+    hand.harness.input_mut().events.push(Event::Text("x".to_owned()));
+    hand.harness.run_steps(1);
+    hand.harness.input_mut().events.push(key(Key::X, Modifiers::NONE));
+    hand.harness.input_mut().events.push(Event::Text("y".to_owned()));
+    hand.harness.run_steps(1);
+    hand.type_text("z");
+    hand.settle();
+    let query = "Find a command or a node";
+    let field = hand.harness.get_by_role_and_label(Role::SearchInput, query);
+    assert_eq!(field.value().as_deref(), Some("xyz"));
+    assert_eq!(hand.look().graph.nodes, look.graph.nodes, "nothing of it reached the graph");
 }
 
 #[test]

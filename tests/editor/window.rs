@@ -157,6 +157,24 @@ fn an_angle_is_typed_in_degrees() {
 }
 
 #[test]
+fn a_number_that_is_still_being_typed_is_saved_with_the_look() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("look.json");
+    let mut hand = User::new();
+    hand.click(node_center(&hand, "diffuse"));
+    let field = hand.number_field("Cut-off");
+    hand.click(field.center());
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text("120");
+    hand.app_mut().answer_dialog(&path);
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+    let cutoff = number(&hand, "diffuse", "cutoff").expect("it has a value now");
+    assert!(close(cutoff, 2.0 * std::f64::consts::PI / 3.0), "{cutoff}");
+    assert!(!hand.app().session().is_dirty() && path.is_file());
+}
+
+#[test]
 fn a_value_edit_compiles_no_live_shader() {
     let mut hand = User::new();
     let before = hand.app().session().compilation().live().unwrap().clone();

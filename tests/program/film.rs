@@ -6,6 +6,8 @@ use std::process::{Command, Output};
 
 use serde_json::{Value as Json, json};
 
+use crate::support::{root, validators::film_judge};
+
 /// A folder with a look that changes with time, and a light.
 pub(crate) struct Stage(tempfile::TempDir);
 
@@ -597,10 +599,7 @@ fn seconds_from_now() -> impl Fn() -> f64 {
 
 #[test]
 fn open_job_descriptions_own_tool_takes_the_template_and_runs_it() {
-    let openjd = std::env::var("OPENJD").unwrap_or_else(|_| "openjd".to_owned());
-    if Command::new(&openjd).arg("--version").output().is_err() {
-        let line = "SKIPPED: openjd is missing; pip install openjd-cli, and OPENJD names it";
-        crate::support::validators::say(line);
+    if film_judge().is_none() {
         return;
     }
     let stage = Stage::new();
@@ -610,8 +609,9 @@ fn open_job_descriptions_own_tool_takes_the_template_and_runs_it() {
     let more = ["--job", "job.json", "--program", program];
     stage.done(&[&farm[..], &more[..], &RENDER[1..10]].concat());
     let ran = |words: &[&str]| {
-        let mut command = Command::new(&openjd);
-        let ran = command.args(words).current_dir(stage.folder()).output().unwrap();
+        let mut openjd = film_judge().unwrap();
+        let ran = openjd.args(["-m", "openjd"]).args(words).current_dir(stage.folder());
+        let ran = ran.output().unwrap();
         let said = [ran.stdout, ran.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
         assert!(ran.status.success(), "{words:?}: {said:?}");
         said.join("\n")
@@ -629,24 +629,16 @@ fn open_job_descriptions_own_tool_takes_the_template_and_runs_it() {
 /// OpenCue's own RQD runs the commands of the job: `tests/farm/rqd.py` plays Cuebot.
 #[test]
 fn open_cues_own_rqd_runs_the_job() {
-    let python = std::env::var("CHIARO_FARM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let probe = Command::new(&python).args(["-c", "import rqd, opencue_proto, grpc"]).output();
-    if !probe.is_ok_and(|output| output.status.success()) {
-        let line = "SKIPPED: RQD is missing; pip install opencue-rqd, and CHIARO_FARM_PYTHON names \
-                    its Python";
-        crate::support::validators::say(line);
-        return;
-    }
+    let Some(mut python) = film_judge() else { return };
     let stage = Stage::new();
     fs::create_dir(stage.path("out")).unwrap();
     let program = env!("CARGO_BIN_EXE_chiaro");
     let farm = ["farm", "-o", "out/####.exr", "--frames", "1-4", "--chunk", "2", "--to", "opencue"];
     let more = ["--job", "job.xml", "--program", program];
     stage.done(&[&farm[..], &more[..], &RENDER[1..10]].concat());
-    let mut command = Command::new(&python);
-    command.arg(crate::support::root().join("tests/farm/rqd.py"));
-    command.args(["job.xml", "."]).current_dir(stage.folder());
-    let ran = command.output().unwrap();
+    python.arg(root().join("tests/farm/rqd.py"));
+    python.args(["job.xml", "."]).current_dir(stage.folder());
+    let ran = python.output().unwrap();
     let said = [ran.stdout, ran.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
     assert!(ran.status.success(), "{said:?}");
     assert_eq!(

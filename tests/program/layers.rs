@@ -11,7 +11,7 @@ use chiaro::film::exr::{self, ExrContent, SampleType};
 use chiaro::library::Library;
 use serde_json::{Value as Json, json};
 
-use crate::support::{root, validators::say};
+use crate::support::{root, validators::film_judge};
 
 /// A folder in which pictures are rendered.
 struct RenderFolder(tempfile::TempDir);
@@ -217,29 +217,17 @@ fn contributions_of_examples_add_up() {
     }
 }
 
-/// All looks, both spaces: minutes. By the reference, which compiles nothing (software for a GPU
+/// All looks, both spaces, by our reader and by OpenImageIO: minutes. By the reference, which compiles nothing (software for a GPU
 /// takes up to minutes for a module with all of its layers), and small, for what adds up in one
 /// pixel does so in all of its kind.
 #[cfg(unix)]
 #[test]
 #[ignore = "a soak: every look in both spaces"]
 fn soak_contributions_of_all_looks_add_up() {
-    const ASKED: [&str; 12] = [
-        "--aov",
-        "layers",
-        "--aov",
-        "lights",
-        "--aov",
-        "groups",
-        "--on",
-        "reference",
-        "--mesh",
-        "shape:torus",
-        "--size",
-        "16x12",
-    ];
+    let small = ["--on", "reference", "--mesh", "shape:torus", "--size", "16x12"];
+    let asked = [&ALL_LAYERS[..], &small].concat();
     let folder = RenderFolder::new();
-    let mut greatest = BTreeMap::new();
+    let (mut greatest, mut files) = (BTreeMap::new(), Vec::new());
     for kind in ["looks", "shadows"] {
         let beside = folder.path(kind);
         fs::create_dir_all(&beside).unwrap();
@@ -256,17 +244,23 @@ fn soak_contributions_of_all_looks_add_up() {
                 look["color_space"] = json!(space);
                 let own = beside.join(path.file_name().unwrap());
                 fs::write(&own, look.to_string()).unwrap();
-                let drawn = folder.layers(&own, &ASKED);
+                let drawn = folder.layers(&own, &asked);
                 let is_parted = drawn.names().contains(&"beauty.R");
                 let whole = if is_parted { "beauty" } else { "beauty_stack" };
                 let parts = ["layer_", "light_", "group_"];
                 let worst = parts.map(|parts| drawn.worst_sum(parts, whole));
                 greatest.insert((path.clone(), space), worst.into_iter().fold(0.0, f64::max));
+                let file = own.with_extension(format!("{space}.exr"));
+                fs::rename(folder.path("out.exr"), &file).unwrap();
+                files.push(file);
             }
         }
     }
     assert!(greatest.len() > 160, "{} pictures", greatest.len());
     assert!(greatest.values().all(|worst| *worst <= 1.0), "{greatest:#?}");
+    for (found, file) in judged(&files).into_iter().flatten().zip(&files) {
+        assert_adds_up(&found, file);
+    }
 }
 
 #[test]
@@ -402,30 +396,70 @@ fn the_matte_of_lights_tells_the_strongest() {
     assert!(alone.names().iter().all(|name| !name.contains("key")), "{:?}", alone.names());
 }
 
-/// Python with the packages that judge layers, if this machine has them.
-fn judge() -> Option<Command> {
-    let python = std::env::var("CHIARO_FILM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let probe = Command::new(&python).args(["-c", "import cryptomatte_api, OpenImageIO"]).output();
-    if probe.is_ok_and(|output| output.status.success()) {
-        return Some(Command::new(python));
-    }
-    say("SKIPPED: the Python packages openimageio and cryptomatte-api are missing");
-    None
+/// What others find in files, by `tests/film/judge.py`. `None` without them.
+fn judged(files: &[PathBuf]) -> Option<Vec<Json>> {
+    let mut python = film_judge()?;
+    let output = python.arg(root().join("tests/film/judge.py")).args(files).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    let found: Vec<Json> = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found.len(), files.len());
+    Some(found)
 }
+
+/// Checks what others found in a file: all kinds of contributions add up to the picture, and mattes
+/// cover what it covers.
+#[track_caller]
+fn assert_adds_up(found: &Json, file: &Path) {
+    let sums = found["sums"].as_object().unwrap();
+    assert_eq!(sums.len(), 3, "{}: {found}", file.display());
+    for sum in sums.values() {
+        let is_within = sum["steps"].as_f64().unwrap() <= 1.0;
+        assert!(is_within && sum["least"].as_f64().unwrap() >= 0.0, "{}: {found}", file.display());
+    }
+    assert_eq!(found["mattes"].as_object().unwrap().len(), 4, "{}: {found}", file.display());
+    assert!(found["coverage"].as_f64().unwrap() < 1e-6, "{}: {found}", file.display());
+}
+
+/// Contributions of all kinds and all mattes.
+const ALL_LAYERS: [&str; 8] = [
+    "--aov",
+    "layers",
+    "--aov",
+    "lights",
+    "--aov",
+    "groups",
+    "--matte",
+    "objects,looks,materials,lights",
+];
 
 #[test]
 fn others_read_the_layers_and_decode_the_mattes() {
-    let Some(mut python) = judge() else { return };
+    if film_judge().is_none() {
+        return;
+    }
     let folder = RenderFolder::with_scene();
-    folder.layers(&folder.path("scene.json"), &["--matte", "objects", "--aov", "layers"]);
-    python.arg(root().join("tests/film/judge.py")).arg(folder.path("out.exr"));
-    let output = python.output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{said}");
-    let found: Json = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(found["names"], json!(["left", "right"]));
-    assert!(found["coverage"].as_f64().unwrap() < 1e-6, "{found}");
-    assert!(found["sum"].as_f64().unwrap() < 4.0 * 2.0_f64.powi(-11), "{found}");
+    folder.layers(&folder.path("scene.json"), &ALL_LAYERS);
+    fs::rename(folder.path("out.exr"), folder.path("scene.exr")).unwrap();
+    let mut files = vec![folder.path("scene.exr")];
+    let small = ["--on", "reference", "--mesh", "shape:torus", "--size", "16x12"];
+    for look in ["figure6-comics", "hatching", "film-print"] {
+        let look = example(&format!("{look}.json"));
+        folder.layers(&look, &[&ALL_LAYERS[..], &small].concat());
+        let file = folder.path(&format!("{}.exr", files.len()));
+        fs::rename(folder.path("out.exr"), &file).unwrap();
+        files.push(file);
+    }
+    let found = judged(&files).unwrap();
+    for (found, file) in found.iter().zip(&files) {
+        assert_adds_up(found, file);
+    }
+    let mattes = json!({
+        "CryptoObject": ["left", "right"], "CryptoLook": ["Two"], "CryptoMaterial": ["default"],
+        "CryptoLight": ["key", "rim", "unlit"]
+    });
+    assert_eq!(found[0]["mattes"], mattes);
+    assert_eq!(found[0]["sums"]["layer_"]["layers"], 3);
 }
 
 /// A look of two lamps, key and rim, of which `group` makes one color; `wire` leads from there.

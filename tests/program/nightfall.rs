@@ -3,7 +3,7 @@
 use std::process::{Command, Stdio};
 
 use crate::support::root;
-use crate::support::validators::say;
+use crate::support::validators::film_judge;
 
 /// Checks that a graded file has the mattes, the time code and the camera of its own file.
 const KEPT: &str = r#"
@@ -32,10 +32,7 @@ assert "chiaro" not in [entry.name for entry in says.extra_attribs]
 /// Vulkan: the twelve looks of the shot are compiled with their layers, twice.
 #[test]
 fn a_frame_is_graded_from_its_file_alone() {
-    let python = std::env::var("CHIARO_FILM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let probe = Command::new(&python).args(["-c", "import OpenImageIO, numpy"]).output();
-    if !probe.is_ok_and(|output| output.status.success()) {
-        say("SKIPPED: the Python packages openimageio and numpy are missing");
+    if film_judge().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -56,7 +53,7 @@ fn a_frame_is_graded_from_its_file_alone() {
         assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
     }
     let graded = |lantern: &str| {
-        let mut command = Command::new(&python);
+        let mut command = film_judge().unwrap();
         command.arg(root().join("scripts/regrade.py")).current_dir(folder.path());
         command.args(["shot.#.exr", "--frames", "49-49", "--light", "sun=0.2"]);
         command.args(["--light", "moon=1.25", "--light", lantern, "--on", "hob", "moon=1.5"]);
@@ -67,7 +64,7 @@ fn a_frame_is_graded_from_its_file_alone() {
     };
     let (is_equal, said) = graded("lantern=0.7,1.0,0.8");
     assert!(is_equal, "{said}");
-    let mut kept = Command::new(&python);
+    let mut kept = film_judge().unwrap();
     let kept = kept.args(["-c", KEPT]).current_dir(folder.path()).output().unwrap();
     assert!(kept.status.success(), "{}", String::from_utf8_lossy(&kept.stderr));
     let (is_equal, said) = graded("lantern=0.7,1.0,0.9");

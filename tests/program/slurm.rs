@@ -9,13 +9,10 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::film::Stage;
-use crate::support::validators::say;
+use crate::support::validators::{Tool, slurm_program};
 
 /// Time until the whole job must be done.
 const PATIENCE: Duration = Duration::from_secs(120);
-
-/// Debian's programs, which lie in a folder that is not on everyone's path.
-const PROGRAMS: [&str; 4] = ["munged", "mungekey", "slurmctld", "slurmd"];
 
 /// A cluster of this machine alone. Its daemons end with it.
 struct Cluster {
@@ -112,7 +109,7 @@ impl Drop for Cluster {
 }
 
 fn program(name: &str) -> Command {
-    Command::new(Path::new("/usr/sbin").join(name))
+    Command::new(slurm_program(name))
 }
 
 #[track_caller]
@@ -156,10 +153,8 @@ fn process_in(folder: &Path) -> Option<String> {
 
 #[test]
 fn a_real_slurm_draws_every_frame_although_a_task_is_killed() {
-    let is_missing = |name: &&str| !Path::new("/usr/sbin").join(name).exists();
-    let missing: Vec<&str> = PROGRAMS.into_iter().filter(is_missing).collect();
-    if !missing.is_empty() {
-        say(&format!("SKIPPED: {} missing; scripts/setup farm installs Slurm", missing.join(", ")));
+    if !Tool::Slurm.is_here() {
+        Tool::Slurm.missing().expect("a required tool");
         return;
     }
     let stage = Stage::new();

@@ -9,7 +9,7 @@ use chiaro::film::{BUILT_IN, ColorConfig};
 use chiaro::frame::Picture;
 use serde_json::json;
 
-use crate::support::{root, validators::say};
+use crate::support::{root, validators::film_judge};
 
 const ACES: &str = "ACES 2.0 - SDR 100 nits (Rec.709)";
 
@@ -150,14 +150,7 @@ fn a_view_that_cannot_be_is_told() {
 /// Every view of the configurations that are built in, against OpenColorIO itself.
 #[test]
 fn views_are_those_of_opencolorio() {
-    let python = std::env::var("CHIARO_FILM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let probe = Command::new(&python).args(["-c", "import numpy, PyOpenColorIO"]).output();
-    if !probe.is_ok_and(|ran| ran.status.success()) {
-        say(
-            "SKIPPED: PyOpenColorIO is not here: pip install opencolorio numpy, CHIARO_FILM_PYTHON",
-        );
-        return;
-    }
+    let Some(mut judge) = film_judge() else { return };
     // Light from dark to far above white, colors at and beyond the edge of what can be shown.
     let mut random = 0x5eed_u64;
     let mut next = || {
@@ -191,7 +184,6 @@ fn views_are_those_of_opencolorio() {
         let view = config.view(None, name).unwrap();
         fs::write(folder.path().join(at.to_string()), bytes(&view.show(&picture))).unwrap();
     }
-    let mut judge = Command::new(python);
     judge.arg(root().join("tests/film/views.py")).arg(BUILT_IN).arg(folder.path()).args(&names);
     let ran = judge.output().unwrap();
     let said = String::from_utf8_lossy(&ran.stdout).into_owned();

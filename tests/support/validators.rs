@@ -34,6 +34,11 @@ pub enum Tool {
     /// Packages for MaterialX: the Python package of that name, by
     /// `tests/materialx/requirements.txt`. Like Slang it may be missing where tools are required.
     MaterialX,
+    /// Frames, colors and farms' jobs: OpenImageIO, cryptomatte-api, OpenColorIO, OpenJD and RQD,
+    /// Python packages by `tests/film/requirements.txt`, driven through [`film_judge`].
+    Film,
+    /// A render farm: Debian's slurm-wlm and munge.
+    Slurm,
 }
 
 impl Tool {
@@ -60,6 +65,8 @@ impl Tool {
             Self::Babylon => babylon_folder().join("package.json").is_file(),
             Self::Godot => godot_folder().join("index.wasm").is_file(),
             Self::MaterialX => materialx_folder().join("MaterialX/__init__.py").is_file(),
+            Self::Film => film_folder().join("requirements.txt").is_file(),
+            Self::Slurm => SLURM_PROGRAMS.iter().all(|name| slurm_program(name).is_file()),
         }
     }
 
@@ -88,6 +95,8 @@ impl fmt::Display for Tool {
             Self::Babylon => "Babylon.js",
             Self::Godot => "Godot",
             Self::MaterialX => "MaterialX",
+            Self::Film => "OpenImageIO or another judge of film",
+            Self::Slurm => "Slurm",
         })
     }
 }
@@ -110,6 +119,31 @@ pub fn godot_folder() -> PathBuf {
 /// The folder of the Python package MaterialX, for `PYTHONPATH`.
 pub fn materialx_folder() -> PathBuf {
     root().join(".tools/materialx")
+}
+
+/// The folder of the Python packages that judge film, for `PYTHONPATH`.
+fn film_folder() -> PathBuf {
+    root().join(".tools/film")
+}
+
+/// A Python that has the packages that judge film. `None` without them, where they may be missing;
+/// panics where they are required.
+pub fn film_judge() -> Option<Command> {
+    if !Tool::Film.is_here() {
+        Tool::Film.missing().unwrap_or_else(|problem| panic!("{problem}"));
+        return None;
+    }
+    let mut python = Command::new("python3");
+    python.env("PYTHONPATH", film_folder());
+    Some(python)
+}
+
+/// Programs of Slurm and munge that a cluster of one machine needs.
+const SLURM_PROGRAMS: [&str; 4] = ["munged", "mungekey", "slurmctld", "slurmd"];
+
+/// A program of Slurm's, in the folder that Debian has them in, which is not on everyone's path.
+pub fn slurm_program(name: &str) -> PathBuf {
+    Path::new("/usr/sbin").join(name)
 }
 
 /// True if a missing tool is a failure.

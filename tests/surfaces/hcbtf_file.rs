@@ -263,7 +263,7 @@ fn odd_things_are_warned_of() {
 #[test]
 fn what_is_no_hcbtf_is_told() {
     expect(b"", "empty-file", &["empty"]);
-    expect(b"{\"chiaro\": \"look\"}", "hcbtf-archive", &["no HCBTF"]);
+    expect(b"{\"chiaro\": \"look\"}", "hcbtf-archive", &["no painted surface (HCBTF)"]);
     expect(b"PK\x03\x04 and nothing else", "hcbtf-archive", &["help:"]);
     expect(
         &with(|all| all.retain(|(name, _)| name != "manifest.json")),

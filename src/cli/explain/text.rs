@@ -97,7 +97,7 @@ fn tell_look(look: &LookReport, report: &ExplainReport) -> String {
     }
     text += "\n  Textures\n";
     if look.images.is_empty() {
-        text += "    none: no node that reaches the output reads an image or an HCBTF\n";
+        text += "    none: no node that reaches the output reads an image or a painted surface\n";
     }
     for image in &look.images {
         let path = if image.path.is_empty() { "(nothing chosen: white)" } else { &image.path };

@@ -2,6 +2,7 @@
 //! alike.
 
 pub mod values;
+pub mod wires;
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;

@@ -54,7 +54,7 @@ pub fn read_text(files: &dyn Files, path: &Path) -> Result<String, Box<Diagnosti
         }
     })?;
     if is_painting(path, &bytes) {
-        let message = tr!("this is a painting (an HCBTF), and no text").to_owned();
+        let message = tr!("this is a painted surface (HCBTF), and no text").to_owned();
         let mut problem = fail(
             "wrong-document",
             message,

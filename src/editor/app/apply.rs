@@ -13,7 +13,7 @@ use crate::app::look_export::stem_of;
 use crate::canvas::edits;
 use crate::commands::{
     Command, FilePurpose, FitCommand, MaskCommand, PaintCommand, PanelId, PictureExport,
-    ViewCommand, keyboard,
+    TimelineCommand, ViewCommand, keyboard,
 };
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Projection, Target, Value};
@@ -157,12 +157,7 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.set_time(time),
-            Command::Timeline(command) => {
-                self.start = None;
-                self.dock.open(PanelId::TIMELINE);
-                self.bench.memory.of::<Timeline>().ask(command);
-                ui.ctx().request_repaint();
-            }
+            Command::Timeline(command) => self.ask_timeline(ui, command),
             Command::TakeCell(cell, scope) => self.take_cell(&cell, scope),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
@@ -199,6 +194,13 @@ impl App {
     /// Remembers columns of the light table that are shown or hidden by hand.
     fn keep_light_columns(&mut self, columns: BTreeMap<String, bool>) {
         self.safety.change_settings(|settings| settings.light_columns = columns);
+    }
+
+    fn ask_timeline(&mut self, ui: &Ui, command: TimelineCommand) {
+        self.start = None;
+        self.dock.open(PanelId::TIMELINE);
+        self.bench.memory.of::<Timeline>().ask(command);
+        ui.ctx().request_repaint();
     }
 
     /// Bounds the memory of kept frames from now on, in MiB.

@@ -19,7 +19,7 @@ use crate::panels::library;
 use crate::state::crashes::CrashMark;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
-use crate::state::scene::{LookToOpen, OpenScene};
+use crate::state::scene::{LookToOpen, OpenScene, real};
 use crate::state::session::painting::is_painting_shown;
 use crate::state::shelf::SnapshotId;
 use crate::state::wedge::WedgeSheet;
@@ -82,8 +82,10 @@ impl App {
         }
         self.open_alone(path);
         self.open_lacking_look();
-        let of_shot = self.session.shot().is_some_and(|shot| shot.path() == path);
-        let is_scene = |open_scene: &OpenScene| open_scene.path() == Some(path);
+        // Work that came back knows its file by its whole name.
+        let file = real(path);
+        let of_shot = self.session.shot().is_some_and(|shot| real(shot.path()) == file);
+        let is_scene = |open: &OpenScene| open.path().map(real).as_ref() == Some(&file);
         if of_shot || self.session.open_scene().is_some_and(is_scene) {
             self.lay_out();
             self.dock.open(if of_shot { PanelId::SHOT } else { PanelId::OBJECTS });

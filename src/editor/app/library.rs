@@ -12,7 +12,8 @@ use super::look_export::address_of;
 use crate::commands::{FilePurpose, LibraryCommand, PanelId, PartSpot};
 use crate::document::GraphId;
 use crate::ids::{NodeId, ObjectId, PortName};
-use crate::state::parts::placing::{self, Placement, Recipient, rebase};
+use crate::state::parts::pictures::PictureRoute;
+use crate::state::parts::placing::{self, Placement, Recipient};
 use crate::state::parts::saving::{self, PartChoice, PartSource};
 use crate::state::parts::{Part, PartContent, PartKind, upkeep};
 use crate::state::paths::absolute;
@@ -113,22 +114,28 @@ impl App {
             }
             _ => {}
         }
-        // Images lie beside the part: they are named from the look that is open.
+        // Images lie beside the part: the look that is open gets copies of its own.
         let mut own = (**look).clone();
-        let from = part.path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let from = absolute(part.path.parent().unwrap_or(Path::new("")));
         let folder = self.session.path().and_then(Path::parent).map(absolute);
-        let linked = rebase(&mut own, &self.session.project.catalog, &from, folder.as_deref());
+        let route = PictureRoute { from: &from, to: folder.as_deref(), takes_equal: false };
+        let pictures = route.rename(&mut own, &self.session.project.catalog);
         let placed = match kind {
             PartKind::Profile | PartKind::Ramp => self.place_values(part, &own, spot),
             _ => self.placement(*kind, (&part.name, &own), spot),
         };
         match placed {
             Ok(Placement { edit, nodes, mut told }) => {
-                if !linked.is_empty() {
-                    told += &tr!(" · linked, not copied: {files}", files = linked.join(", "));
+                if !pictures.along.is_empty() {
+                    let files = pictures.along.join(", ");
+                    told += &tr!(" · copied beside this look: {files}");
+                }
+                if !pictures.linked.is_empty() {
+                    let files = pictures.linked.join(", ");
+                    told += &tr!(" · linked, not copied: {files}");
                 }
                 self.message = None;
-                self.tell(|session| session.apply(edit, None));
+                self.tell(|session| session.apply_with(pictures.copied, edit));
                 if self.message.is_none() {
                     if !nodes.is_empty() {
                         self.session.select(nodes);

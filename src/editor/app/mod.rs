@@ -200,6 +200,7 @@ impl App {
         let painting = self.painting_number();
         self.message = self.safety.resume(&mut self.session);
         self.open_lacking_look();
+        self.play_frames_of_shot();
         self.show_painting_taken_back(painting);
     }
 
@@ -419,7 +420,15 @@ impl App {
         if self.start.is_none() && !self.bench.wedge.is_large() {
             self.bench.canvas.claim_tab(ui);
         }
+        self.sheet.keep_early(ui);
         self.shortcuts(ui, &mut commands);
+        let typed_in = keyboard::text_field(ui.ctx()).filter(|_| !commands.is_empty());
+        // A field that waits for its end takes its text before Ctrl+S or another key of the window
+        // does its work.
+        let of_keys = typed_in.map(|field| {
+            ui.memory_mut(|memory| memory.surrender_focus(field));
+            std::mem::take(&mut commands)
+        });
         self.take_look_exports(ui);
         self.take_colors();
         self.message = self.bench.painting.exported().or(self.message.take());
@@ -469,6 +478,10 @@ impl App {
         commands.extend(self.bench.painting.ask(ui, &self.session));
         commands.extend(self.sheet.show(ui, &self.session));
         self.show_tour(ui, &mut commands);
+        commands.extend(of_keys.into_iter().flatten());
+        if let Some(field) = typed_in.filter(|_| commands.contains(&Command::Save)) {
+            ui.memory_mut(|memory| memory.request_focus(field));
+        }
         for command in commands {
             self.apply(ui, command);
             // A change of this frame is only seen in the next one.
@@ -614,7 +627,7 @@ impl App {
         let is_typing = keyboard::is_keyboard_taken(ui.ctx());
         // A text field with the keyboard has an undo of its own, and takes question marks; a handle
         // that was dragged has not.
-        let is_text_edited = is_typing && ui.ctx().text_edit_focused();
+        let is_text_edited = is_typing && keyboard::text_field(ui.ctx()).is_some();
         let is_text = |command: &Command| {
             matches!(command, Command::Undo | Command::Redo | Command::OpenShortcuts)
         };

@@ -73,7 +73,7 @@ impl PathField {
             }
             let confirms = confirm::enters(ui);
             let enters = self.field(ui) || confirms;
-            ui.scope(|ui| self.entries(ui));
+            let opens = ui.scope(|ui| self.entries(ui)).inner;
             let path = self.path();
             let verdict = verdict(self.purpose, &path);
             let reason = match verdict {
@@ -91,7 +91,10 @@ impl PathField {
                     (_, false) => tr!("Open this"),
                 };
                 let is_file = matches!(verdict, PathEffect::Good | PathEffect::Replaces);
-                if ui.add_enabled(is_file, Button::new(label)).clicked() || enters && is_file {
+                if ui.add_enabled(is_file, Button::new(label)).clicked()
+                    || enters && is_file
+                    || opens && verdict == PathEffect::Good
+                {
                     answer = Some(Some(path));
                 }
                 if ui.button(tr!("Cancel")).clicked() {
@@ -125,13 +128,15 @@ impl PathField {
         response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
     }
 
-    /// Shows the folders and files that begin as the typed name; a click takes one.
-    fn entries(&mut self, ui: &mut Ui) {
+    /// Shows the folders and files that begin as the typed name; a click takes one. Returns true if
+    /// the one that was taken is clicked again.
+    fn entries(&mut self, ui: &mut Ui) -> bool {
+        // Once a file is taken the list stays, so that a second click meets the same file.
         if self.beside.as_ref().is_none_or(|(of, _)| *of != self.text) {
             self.beside = Some((self.text.clone(), entries(self.purpose, &self.text)));
         }
-        let Some((_, entries)) = &self.beside else { return };
-        let mut taken = None;
+        let Some((_, entries)) = &self.beside else { return false };
+        let (mut taken, mut opens) = (None, false);
         ui.spacing_mut().item_spacing.y = 1.0;
         let height = ui.spacing().interact_size.y;
         let area =
@@ -141,7 +146,9 @@ impl PathField {
                 let name =
                     if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
                 let color = if entry.is_folder { theme::of(ui).accent } else { theme::of(ui).text };
-                if ui.add(Button::new(RichText::new(name).color(color)).frame(false)).clicked() {
+                let row = ui.add(Button::new(RichText::new(name).color(color)).frame(false));
+                opens |= row.double_clicked() && !entry.is_folder;
+                if row.clicked() {
                     taken = Some((entry.name.clone(), entry.is_folder));
                 }
             }
@@ -152,8 +159,11 @@ impl PathField {
             self.is_new = true;
             if is_folder {
                 self.go_into();
+            } else if let Some((of, _)) = &mut self.beside {
+                of.clone_from(&self.text);
             }
         }
+        opens
     }
 
     fn go_into(&mut self) {

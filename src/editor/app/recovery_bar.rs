@@ -312,7 +312,10 @@ fn several(ui: &mut Ui, offers: &[(usize, &Offer)], out: &mut Vec<RecoveryComman
 
 fn offered(ui: &mut Ui, number: usize, offer: &Offer, out: &mut Vec<RecoveryCommand>) {
     if offer.is_thrown {
-        let text = tr!("{name} is thrown away when this window closes", name = offer.name);
+        let text = tr!(
+            "The unsaved changes of {name} are thrown away when this window closes",
+            name = offer.name
+        );
         row(ui, Tone::Note, &text, |ui| {
             ask(
                 ui,

@@ -6,14 +6,14 @@ use std::sync::Arc;
 use chiaro_locale::{Text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{
-    Align, Align2, Key, Label, Layout, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo,
-    vec2,
+    Align, Align2, Event, Key, Label, Layout, Modifiers, RichText, ScrollArea, TextEdit, Ui,
+    WidgetInfo, vec2,
 };
 
 use crate::canvas::palette;
 use crate::catalog::NodeKind;
 use crate::commands::table::{self, CommandRow, KeyScope, LIGHT_TABLE, PAINTING_POINTER, POINTER};
-use crate::commands::{Command, GraphCommand};
+use crate::commands::{Command, GraphCommand, keyboard};
 use crate::fields::{names, passes};
 use crate::ids::NodeId;
 use crate::panels::PANELS;
@@ -33,6 +33,8 @@ const MOST_NODES: usize = 40;
 #[derive(Default)]
 pub(crate) struct Sheet {
     open: Option<OpenSheet>,
+    /// Keys and texts that were typed for the palette before its field was there.
+    early: Vec<Event>,
 }
 
 enum OpenSheet {
@@ -57,6 +59,40 @@ impl Sheet {
         };
     }
 
+    /// Keeps what is typed for a palette that is opened in this frame, or was not shown yet, so that
+    /// nobody else takes it: a slow window gets a word at once with the key that opens the palette.
+    pub(crate) fn keep_early(&mut self, ui: &Ui) {
+        let is_new = matches!(self.open, Some(OpenSheet::Commands { is_new: true, .. }));
+        let may_open = self.open.is_none() && !keyboard::is_dialog_open(ui.ctx());
+        if self.open.is_none() {
+            self.early.clear();
+        }
+        let opens = |event: &Event| match event {
+            Event::Key { key, modifiers, pressed: true, .. } => {
+                let rows = table::rows().filter(|row| row.command == Command::OpenPalette);
+                let mut keys = rows.flat_map(|row| row.keys);
+                keys.any(|(wanted, wanted_key)| {
+                    key == wanted_key && modifiers.matches_exact(*wanted)
+                })
+            }
+            _ => false,
+        };
+        ui.input_mut(|input| {
+            let from = match () {
+                () if is_new => Some(0),
+                () if may_open => input.events.iter().position(opens).map(|at| at + 1),
+                () => None,
+            };
+            let Some(from) = from else { return };
+            let later = input.events.split_off(from);
+            let is_typed =
+                |event: &Event| matches!(event, Event::Text(_) | Event::Key { pressed: true, .. });
+            let (typed, others): (Vec<Event>, _) = later.into_iter().partition(is_typed);
+            self.early.extend(typed);
+            input.events.extend(others);
+        });
+    }
+
     pub(crate) fn is_open(&self) -> bool {
         self.open.is_some()
     }
@@ -72,6 +108,7 @@ impl Sheet {
     pub(crate) fn show(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
         let shown = self.open.as_mut()?;
         let (mut chosen, is_new) = (None, shown.is_new());
+        let early = &mut self.early;
         let screen = ui.ctx().content_rect();
         // A window may be narrower than the sheet.
         let width = if matches!(shown, OpenSheet::Shortcuts { .. }) { SHEET } else { WIDTH };
@@ -81,7 +118,13 @@ impl Sheet {
             egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
                 OpenSheet::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
                 OpenSheet::Commands { query, index, is_new } => {
-                    chosen = show_commands(ui, session, query, index, is_new);
+                    // Nothing takes the keyboard while the palette's size is found.
+                    if *is_new && !ui.is_sizing_pass() {
+                        *is_new = false;
+                        ui.input_mut(|input| input.events.append(early));
+                        ui.memory_mut(|memory| memory.request_focus(query_id()));
+                    }
+                    chosen = show_commands(ui, session, query, index);
                 }
             });
         });
@@ -174,13 +217,17 @@ struct Entry {
     command: Command,
 }
 
+/// Field of the palette.
+fn query_id() -> egui::Id {
+    egui::Id::unique("command query")
+}
+
 /// Shows the palette. Returns the chosen command.
 fn show_commands(
     ui: &mut Ui,
     session: &Session,
     query: &mut String,
     index: &mut usize,
-    is_new: &mut bool,
 ) -> Option<Command> {
     ui.set_width(WIDTH);
     let key = |ui: &Ui, key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
@@ -194,13 +241,10 @@ fn show_commands(
     let edit = TextEdit::singleline(query)
         .hint_text(tr!("Find a command or a node"))
         .desired_width(f32::INFINITY);
-    let response = ui.add(edit.id(egui::Id::unique("command query")));
+    let response = ui.add(edit.id(query_id()));
     response.widget_info(|| {
         WidgetInfo::labeled(egui::Role::SearchInput, true, tr!("Find a command or a node"))
     });
-    if std::mem::replace(is_new, false) {
-        response.request_focus();
-    }
     if response.changed() {
         *index = 0;
     }

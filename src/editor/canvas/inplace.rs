@@ -12,6 +12,7 @@ use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, TEXT_SIZE, TITLE_HEIGHT, row_center
 use crate::fields::passes::OutputPass;
 use crate::ids::{FrameId, NodeId, NoteId};
 use crate::state::session::Session;
+use crate::widgets::rows::leaves_with_text;
 use crate::widgets::theme;
 
 /// Item of the canvas that has a text.
@@ -83,7 +84,8 @@ impl Canvas {
             self.editing = None;
             return;
         };
-        if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        let escapes = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+        if escapes || !leaves_with_text(ui) {
             self.editing = None;
             return;
         }

@@ -15,6 +15,10 @@ enum KeyboardOwner {
     Dialog,
 }
 
+fn escape_id() -> egui::Id {
+    egui::Id::unique("Escape was pressed as the last frame and this one began")
+}
+
 fn owner_id() -> egui::Id {
     egui::Id::unique("owner of the keyboard")
 }
@@ -30,7 +34,20 @@ pub(crate) fn begin_frame(ctx: &egui::Context) {
     } else {
         KeyboardOwner::Window
     };
-    ctx.data_mut(|data| data.insert_temp(owner_id(), owner));
+    let is_escape = ctx.input(|input| input.key_pressed(Key::Escape));
+    ctx.data_mut(|data| {
+        data.insert_temp(owner_id(), owner);
+        let [_, last] = data.get_temp::<[bool; 2]>(escape_id()).unwrap_or_default();
+        data.insert_temp(escape_id(), [last, is_escape]);
+    });
+}
+
+/// True if Escape was pressed in this frame or the last, even where others have taken that press
+/// since. A field loses the keyboard before anything is shown, is told so in both frames, and its
+/// text is to be given up all the same.
+pub(crate) fn is_escape_pressed(ctx: &egui::Context) -> bool {
+    ctx.data(|data| data.get_temp::<[bool; 2]>(escape_id())).unwrap_or_default().contains(&true)
+        || ctx.input(|input| input.key_pressed(Key::Escape))
 }
 
 fn owner(ctx: &egui::Context) -> KeyboardOwner {
@@ -40,6 +57,11 @@ fn owner(ctx: &egui::Context) -> KeyboardOwner {
 /// True if the keys belong to a text field or a dialog, now or when the frame began.
 pub(crate) fn is_keyboard_taken(ctx: &egui::Context) -> bool {
     owner(ctx) != KeyboardOwner::Window || ctx.egui_wants_keyboard_input()
+}
+
+/// Text field that has the keyboard now.
+pub(crate) fn text_field(ctx: &egui::Context) -> Option<egui::Id> {
+    ctx.memory(egui::Memory::focused).filter(|_| ctx.text_edit_focused())
 }
 
 /// True if all keys belong to a dialog.

@@ -12,6 +12,8 @@ pub(crate) enum MaskCommand {
     Paint(NodeId),
     /// Keeps what a stroke made of a mask, as a step.
     Keep(MaskStep),
+    /// Says so where no mesh of the look has vertex colors.
+    CheckColors,
     /// Ends painting.
     Leave,
 }

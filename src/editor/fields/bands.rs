@@ -9,13 +9,14 @@ use std::f64::consts::PI;
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    self, Button, Color32, DragValue, Id, Pos2, Rect, RichText, Sense, Slider, Stroke, StrokeKind,
-    Ui, WidgetInfo, pos2, vec2,
+    self, Button, Color32, Id, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    pos2, vec2,
 };
 
 use crate::document::{ColorSpace, Interpolation, Ramp, RampStop, Value};
 use crate::widgets::color;
 use crate::widgets::handle;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::theme;
 
 /// Name of the input that holds bands.
@@ -194,7 +195,7 @@ pub(crate) fn show(
         let label = ui.label(tr!("Softness")).on_hover_text(help).id;
         let mut degrees = bands.softness.to_degrees();
         ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
-        let slider = Slider::new(&mut degrees, 0.0..=Bands::WIDEST.to_degrees());
+        let slider = number_slider(ui, &mut degrees, 0.0..=Bands::WIDEST.to_degrees());
         let response = ui.add(slider.suffix("°").max_decimals(1)).labelled_by(label);
         if response.on_hover_text(help).changed() && degrees.is_finite() {
             bands.softness = degrees.to_radians();
@@ -228,13 +229,12 @@ fn band_row(
             let label = ui.label(tr!("up to")).id;
             let mut degrees = edge.to_degrees();
             let [low, high] = bands.limits(index).map(f64::to_degrees);
-            let field = DragValue::new(&mut degrees)
+            let field = number_field(ui, &mut degrees)
                 .range(low..=high)
                 .clamp_existing_to_range(false)
                 .speed(0.5)
                 .max_decimals(1)
-                .suffix("°")
-                .update_while_editing(false);
+                .suffix("°");
             let response = ui.add(field).labelled_by(label);
             let name = tr!("Edge {number}");
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));

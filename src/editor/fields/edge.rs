@@ -9,7 +9,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use chiaro_locale::tr;
-use eframe::egui::{self, Button, DragValue, RichText, Slider, Ui, WidgetInfo};
+use eframe::egui::{self, Button, RichText, Ui, WidgetInfo};
 
 use super::layer::SelectedLayer;
 use super::{mark, row};
@@ -23,6 +23,7 @@ use crate::state::keying::{KeyPlace, KeyedBy};
 use crate::state::session::Session;
 use crate::values;
 use crate::widgets::menu::scrolling;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::theme;
 
 /// Inputs that make up a profile, in order.
@@ -213,14 +214,13 @@ impl<'a> EdgeField<'a> {
         let mut fields = Vec::new();
         for (part, name) in EdgePart::BOTH.into_iter().zip(names) {
             let mut degrees = part.degrees(edge);
-            let field = DragValue::new(&mut degrees)
+            let field = number_field(ui, &mut degrees)
                 .range(part.range(edge))
                 .clamp_existing_to_range(false)
                 .speed(0.5)
                 .max_decimals(1)
                 .prefix(format!("{} ", part.label()))
-                .suffix("°")
-                .update_while_editing(false);
+                .suffix("°");
             let response = ui.add(field);
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
             fields.push(response.id);
@@ -275,8 +275,8 @@ impl<'a> EdgeField<'a> {
                     EdgePart::At => 0.0..=180.0,
                     EdgePart::Softness => 0.0..=ProfileEdge::WIDEST.to_degrees(),
                 };
-                let slider = Slider::new(&mut degrees, whole).suffix("°").max_decimals(1);
-                let response = ui.add(slider.clamping(egui::SliderClamping::Edits));
+                let slider = number_slider(ui, &mut degrees, whole).suffix("°").max_decimals(1);
+                let response = ui.add(slider);
                 let response = response.labelled_by(label);
                 if response.changed() && degrees.is_finite() {
                     set.push(self.set(response.id, part.set(edge, degrees)));

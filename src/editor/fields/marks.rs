@@ -18,6 +18,7 @@ use crate::state::keying::{KeyPlace, KeyedBy, changes_in_time, has_between};
 use crate::state::session::Session;
 use crate::state::variations::{VariationKind, VariedSubject};
 use crate::widgets::menu::scrolling;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 /// Value with a mark: its target and type, and the edit that resets it to its default.
@@ -301,6 +302,7 @@ fn rename(
     let edit =
         TextEdit::singleline(&mut text).id(id).desired_width(width).text_color(ink).char_limit(64);
     let response = ui.add(edit).labelled_by(label);
+    let is_typed = is_typed(ui, &response, &mut text);
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text.clone()));
     } else {
@@ -312,7 +314,7 @@ fn rename(
         .iter()
         .enumerate()
         .all(|(at, other)| at == index || other.name.as_str() != text);
-    if response.changed() && is_slug(&text) && is_free {
+    if is_typed && is_slug(&text) && is_free {
         let exposed = ExposedValue { name: PortName::new(text), ..exposed.clone() };
         out.push(Command::EditHeld(id, Edit::SetExposed { index, exposed }));
     }

@@ -6,6 +6,7 @@ use eframe::egui::{Id, TextEdit, Ui};
 use crate::document::Value;
 use crate::frame::MESH_PREFIX;
 use crate::geometry::MaterialMap;
+use crate::widgets::text::is_typed;
 
 /// Maps of a mesh's own materials, in the order of the menu.
 const MESH_MAPS: [MaterialMap; 5] = [
@@ -60,7 +61,8 @@ pub(crate) fn edit(
         .hint_text(tr!("path beside the look"))
         .desired_width(f32::INFINITY);
     let response = ui.add(edit).labelled_by(label);
-    let changed = (response.changed() || chosen.is_some()).then_some(response.id);
+    let is_typed = is_typed(ui, &response, &mut text);
+    let changed = (is_typed || chosen.is_some()).then_some(response.id);
     if let Some(name) = chosen {
         text = name;
     }

@@ -2,7 +2,7 @@
 
 use chiaro_locale::{Text, text, tr};
 use eframe::egui;
-use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
+use eframe::egui::{Checkbox, ComboBox, Id, RichText, TextEdit, Ui, vec2};
 
 use super::InspectedNode;
 use super::bands;
@@ -21,6 +21,7 @@ use crate::state::keying::KeyedBy;
 use crate::state::reading::{of_choice, of_library};
 use crate::values;
 use crate::widgets::menu::scrolling;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::text::formed;
 use crate::widgets::theme;
 use crate::widgets::{color, curve, ramp};
@@ -507,15 +508,15 @@ fn number(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
         (Some(min), Some(max)) if ui.available_width() > SLIDER => {
             ui.spacing_mut().slider_width = ui.available_width() - NUMBER;
             let range = min * scale..=max * scale;
-            let slider = Slider::new(&mut shown, range).suffix(suffix).max_decimals(decimals);
-            let slider = slider.clamping(egui::SliderClamping::Edits);
+            let slider = number_slider(ui, &mut shown, range).suffix(suffix).max_decimals(decimals);
+            let slider = slider;
             ui.add(if is_int { slider.integer() } else { slider })
         }
         (min, max) => {
             let range = min.map_or(f64::NEG_INFINITY, |x| x * scale)
                 ..=max.map_or(f64::INFINITY, |x| x * scale);
             let speed = if is_int { 0.1 } else { 0.01 * scale.max(1.0) };
-            let drag = DragValue::new(&mut shown)
+            let drag = number_field(ui, &mut shown)
                 .range(range)
                 .clamp_existing_to_range(false)
                 .suffix(suffix)
@@ -545,7 +546,7 @@ fn vector(
     let mut changed = None;
     for number in &mut numbers {
         let mut drag =
-            DragValue::new(number).speed(0.01).max_decimals(3).clamp_existing_to_range(false);
+            number_field(ui, number).speed(0.01).max_decimals(3).clamp_existing_to_range(false);
         if let (Some(min), Some(max)) = (port.min, port.max) {
             drag = drag.range(min..=max);
         }

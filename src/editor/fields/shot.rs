@@ -300,7 +300,7 @@ fn is_key_here(session: &Session, change: &ValueChange) -> bool {
     })
 }
 
-/// Mark of values that the shot does not change, with a menu to key them.
+/// Mark of values that the shot does not change: a press keys the only one, or asks which.
 fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut Vec<Command>) {
     let address = |target: &String| ShotAddress { look: None, target: target.clone() };
     let addresses: Vec<ShotAddress> = targets.iter().map(address).collect();
@@ -315,21 +315,66 @@ fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut
     let is_at = response.hovered() || response.has_focus();
     let edge = if is_at { colors.text } else { colors.dim.gamma_multiply(0.7) };
     mark::diamond(ui, rect.center(), 4.5, Color32::TRANSPARENT, edge);
-    Popup::menu(&response).show(|ui| {
-        for at in &addresses {
-            let text = match addresses.len() {
-                1 => tr!("Key at this frame of the shot").to_owned(),
-                _ => {
-                    let field = at.target.rsplit('.').next().unwrap_or(&at.target);
-                    tr!("Key {field} at this frame")
-                }
-            };
-            if ui.button(text).clicked() {
-                let at = at.clone();
-                out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Key(at))));
-                ui.close();
-            }
+    let mut key = |at: &ShotAddress| {
+        out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Key(at.clone()))));
+    };
+    if let [only] = addresses.as_slice() {
+        if response.clicked() {
+            key(only);
         }
-    });
+    } else {
+        Popup::menu(&response).show(|ui| {
+            for at in &addresses {
+                let field = at.target.rsplit('.').next().unwrap_or(&at.target);
+                if ui.button(tr!("Key {field} at this frame")).clicked() {
+                    key(at);
+                    ui.close();
+                }
+            }
+        });
+    }
     response.on_hover_text(tr!("As the scene has it; a press keys it in the shot"));
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, pos2};
+
+    use super::*;
+
+    /// Commands of a click on the mark of values that no shot changes.
+    fn clicked(targets: &[&str]) -> Vec<Command> {
+        let targets: Vec<String> = targets.iter().map(|&target| target.to_owned()).collect();
+        let (ctx, mut out) = (Context::default(), Vec::new());
+        let mut frame = |events| {
+            let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(200.0, 100.0)));
+            let input = RawInput { events, screen_rect, ..RawInput::default() };
+            let mut place = Rect::ZERO;
+            let output = ctx.run_ui(input, |ui| {
+                place = Rect::from_min_size(ui.cursor().min, vec2(16.0, 16.0));
+                unchanged(ui, place.size(), &targets, "Place", &mut out);
+            });
+            output.drop_without_applying_deltas();
+            place
+        };
+        let pos = frame(Vec::new()).center();
+        assert_ne!(pos, pos2(0.0, 0.0));
+        frame(vec![Event::PointerMoved(pos)]);
+        for pressed in [true, false] {
+            let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+            frame(vec![Event::PointerButton { pos, button, pressed, modifiers }]);
+        }
+        frame(Vec::new());
+        out
+    }
+
+    #[test]
+    fn a_click_keys_the_only_value_of_a_mark_and_asks_among_several() {
+        let target = "objects.cat.transform.translate";
+        let at = ShotAddress { look: None, target: target.to_owned() };
+        let key = Command::Scene(SceneCommand::Shot(ShotCommand::Key(at)));
+        assert_eq!(clicked(&[target]), [key]);
+        assert_eq!(clicked(&[target, "objects.cat.transform.rotate"]), []);
+        assert_eq!(clicked(&["objects.cat.mesh"]), [], "a mesh does not move");
+    }
 }

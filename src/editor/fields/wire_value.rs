@@ -2,14 +2,12 @@
 
 use std::collections::HashMap;
 
-use chiaro_locale::trn;
 use eframe::egui::Color32;
 
-use crate::ids::NodePath;
-use crate::library::Type;
+use crate::catalog::wires::WirePart;
+use crate::ids::{NodeId, NodePath};
 use crate::reference::WireValue;
-use crate::state::session::Session;
-use crate::values::number_text;
+use crate::state::reading::LookWithLibrary;
 
 /// Values of nodes at the pixel that is probed, by path.
 pub(crate) type WireReadings = HashMap<NodePath, WireReading>;
@@ -25,75 +23,145 @@ pub(crate) struct WireReading {
 }
 
 /// Readings of wires in the order of their computation: the last value of a node is its result.
-pub(crate) fn readings(session: &Session, wires: &[WireValue]) -> WireReadings {
+pub(crate) fn readings(look: LookWithLibrary<'_>, wires: &[WireValue]) -> WireReadings {
     let reading = |wire: &WireValue| WireReading {
-        text: text_of(session, wire, &wire.single),
-        color: color_of(&wire.single),
+        text: text_of(look, wire, &wire.single),
+        color: color_of(look, wire, &wire.single),
         is_finite: wire.is_finite(),
     };
     wires.iter().map(|wire| (wire.node.clone(), reading(wire))).collect()
 }
 
-/// Numbers of a wire as people write what they mean: degrees of an angle, the count of a profile's.
-pub(crate) fn text_of(session: &Session, wire: &WireValue, numbers: &[f64]) -> String {
-    match ValueMeaning::of(session, wire) {
-        ValueMeaning::Angle => degrees(numbers).unwrap_or_else(|| short(numbers)),
-        ValueMeaning::Profile if wire.is_finite() => {
-            trn!(count = numbers.len(), "{count} number", "{count} numbers")
-        }
-        ValueMeaning::Numbers | ValueMeaning::Profile => short(numbers),
-    }
+/// Numbers of a wire as people write what they mean.
+pub(crate) fn text_of(look: LookWithLibrary<'_>, wire: &WireValue, numbers: &[f64]) -> String {
+    part_of(look, wire).text(numbers)
 }
 
-/// Meaning of a wire's numbers, by which they are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum ValueMeaning {
-    Numbers,
-    /// Sine and cosine of half an angle.
-    Angle,
-    /// Numbers of a profile, which say little to people.
-    Profile,
-}
-
-impl ValueMeaning {
-    /// Meaning of a node's value, where its one output tells it.
-    fn of(session: &Session, wire: &WireValue) -> Self {
-        let node = session.look_with_library().node_at(&wire.node);
-        let kind = node.and_then(|node| session.project.catalog.of(node));
-        let output = kind.and_then(|kind| match kind.outputs.as_slice() {
-            [output] => Some(&output.ty),
-            _ => None,
-        });
-        match output {
-            Some(Type::Angle) => Self::Angle,
-            Some(Type::Prepared(_)) if wire.double.len() > 5 => Self::Profile,
-            _ => Self::Numbers,
-        }
-    }
-}
-
-/// An angle in degrees, from the sine and the cosine of its half; `None` for other numbers.
-fn degrees(numbers: &[f64]) -> Option<String> {
-    let [sine, cosine] = *numbers else { return None };
-    let angle = (2.0 * sine.atan2(cosine)).to_degrees();
-    angle.is_finite().then(|| format!("{}°", number_text(angle, 4)))
-}
-
-/// Color of four or five scalars, which are a color with its alpha; `None` for other numbers.
-pub(crate) fn color_of(numbers: &[f64]) -> Option<Color32> {
-    let [r, g, b, a, ..] = *numbers else { return None };
+/// Color in the numbers of a wire; `None` where there is none.
+pub(crate) fn color_of(
+    look: LookWithLibrary<'_>,
+    wire: &WireValue,
+    numbers: &[f64],
+) -> Option<Color32> {
     let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let is_one = numbers.len() <= 5 && numbers.iter().all(|x| x.is_finite());
-    is_one.then(|| Color32::from_rgba_unmultiplied(byte(r), byte(g), byte(b), byte(a)))
+    let [r, g, b, a] = part_of(look, wire).color(numbers)?.map(byte);
+    Some(Color32::from_rgba_unmultiplied(r, g, b, a))
 }
 
-fn short(numbers: &[f64]) -> String {
-    let text = |x: f64| match numbers.len() {
-        _ if x.is_nan() => "NaN".to_owned(),
-        _ if x.is_infinite() => if x > 0.0 { "inf" } else { "-inf" }.to_owned(),
-        1 => number_text(x, 7),
-        2 => number_text(x, 5),
-        _ => number_text(x, 2),
+/// Names of the rows of wires, no two of which are alike: titles of nodes along their paths, with
+/// a number where a node before has the title; the part of the node; the one light that the value
+/// is about.
+pub(crate) fn row_names<'w>(look: LookWithLibrary<'_>, wires: &'w [WireValue]) -> Vec<String> {
+    let mut outer: HashMap<String, Vec<&NodeId>> = HashMap::new();
+    let mut given: HashMap<String, usize> = HashMap::new();
+    let mut name = |wire: &'w WireValue| {
+        let mut name = look.title_of_path(&wire.node);
+        if let Some(id) = wire.node.outermost() {
+            let title = look.title(id);
+            let namesakes = outer.entry(title.clone()).or_default();
+            let number = namesakes.iter().position(|other| *other == id);
+            if number.is_none() {
+                namesakes.push(id);
+            }
+            let number = number.unwrap_or(namesakes.len() - 1);
+            if number > 0 {
+                name.insert_str(title.len(), &format!(" {}", number + 1));
+            }
+        }
+        if let Some(part) = part_of(look, wire).label() {
+            name = format!("{name}: {part}");
+        }
+        if let Some(light) = &wire.light {
+            name = format!("{name} · {}", look.light_name(light));
+        }
+        let before = given.entry(name.clone()).or_default();
+        *before += 1;
+        if *before > 1 { format!("{name} ({before})") } else { name }
     };
-    numbers.iter().map(|&x| text(x)).collect::<Vec<_>>().join(" ")
+    wires.iter().map(&mut name).collect()
+}
+
+/// Part of a node that a wire's value is.
+fn part_of<'a>(look: LookWithLibrary<'a>, wire: &WireValue) -> WirePart<'a> {
+    let kind = look.node_at(&wire.node).and_then(|node| look.catalog.of(node));
+    kind.map_or(WirePart::Numbers, |kind| WirePart::of(kind, &wire.name, wire.double.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::Catalog;
+    use crate::document::Look;
+    use crate::library::Library;
+
+    const LOOK: &str = r#"{"lights": {"key": {"name": "Sun"}}, "nodes": [
+      {"id": "base", "kind": "base"}, {"id": "rim", "kind": "light_layer", "name": "Rim"},
+      {"id": "rim_2", "kind": "light_layer", "name": "Rim"}, {"id": "own", "kind": "missing"}]}"#;
+
+    fn wire(path: &str, name: &str, numbers: &[f64]) -> WireValue {
+        WireValue {
+            draw: 0,
+            node: NodePath::parse(path),
+            light: None,
+            name: name.to_owned(),
+            single: numbers.to_vec(),
+            double: numbers.to_vec(),
+        }
+    }
+
+    fn with_look<T>(test: impl FnOnce(LookWithLibrary<'_>) -> T) -> T {
+        let look = Look::read(LOOK, "test").value.unwrap();
+        let library = Library::built_in();
+        let mut catalog = Catalog::new(library);
+        catalog.sync(&look, library);
+        test(LookWithLibrary { look: &look, catalog: &catalog, library })
+    }
+
+    #[test]
+    fn rows_of_wires_have_names_of_their_own() {
+        let of_light = |wire: WireValue| WireValue { light: Some("key".into()), ..wire };
+        let wires = [
+            wire("base", "base_color", &[1.0; 4]),
+            wire("base", "base_2", &[1.0; 4]),
+            wire("rim/color", "rim_color_convex", &[1.0; 4]),
+            wire("rim/color", "rim_color", &[1.0; 4]),
+            wire("rim_2/color", "rim_color_2", &[1.0; 4]),
+            of_light(wire("rim/angle", "rim_angle", &[0.5, 0.5])),
+            wire("own", "own", &[1.0]),
+            wire("own", "own_2", &[1.0]),
+        ];
+        let names = with_look(|look| row_names(look, &wires));
+        let color = "Convex/concave color";
+        let expected = [
+            "Base: Color".to_owned(),
+            "Base".to_owned(),
+            format!("Rim / {color}: Convex"),
+            format!("Rim / {color}"),
+            format!("Rim 2 / {color}"),
+            "Rim / Parametrization · Sun".to_owned(),
+            "own".to_owned(),
+            "own (2)".to_owned(),
+        ];
+        assert_eq!(names, expected);
+    }
+
+    #[test]
+    fn readings_are_in_peoples_words() {
+        let (sine, cosine) = 20f64.to_radians().sin_cos();
+        let wires = [
+            wire("rim/angle", "rim_angle", &[sine, cosine]),
+            wire("rim/tone", "rim_tone_shape", &[1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]),
+            wire("rim/lit", "rim_lit", &[1.0, 0.5, 0.0, 1.0, 0.25]),
+            wire("own", "own", &[f64::NAN]),
+        ];
+        let readings = with_look(|look| readings(look, &wires));
+        let text = |path: &str| readings[&NodePath::parse(path)].text.as_str();
+        assert_eq!(text("rim/angle"), "40°");
+        assert_eq!(text("rim/tone"), "hard edge at 0°");
+        assert_eq!(text("rim/lit"), "Color #ff8000 · Tone 0.25");
+        assert_eq!(text("own"), "NaN");
+        let lit = &readings[&NodePath::parse("rim/lit")];
+        assert_eq!(lit.color, Some(Color32::from_rgb(255, 128, 0)));
+        assert!(lit.is_finite && !readings[&NodePath::parse("own")].is_finite);
+    }
 }

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
-use eframe::egui::{self, Button, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
+use eframe::egui::{self, Button, Id, Modal, RichText, Ui, WidgetInfo};
 
 use super::memory;
 use crate::commands::{Command, PaintCommand};
@@ -13,6 +13,7 @@ use crate::hcbtf::Device;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
+use crate::widgets::number::number_field;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
 
@@ -151,7 +152,7 @@ pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
         for (value, name, between) in
             [(width, tr!("Texels across"), "x"), (height, tr!("Texels down"), tr!("texels"))]
         {
-            let drag = ui.add(DragValue::new(value).range(1..=MAX_TILE_SIDE).speed(0.2));
+            let drag = ui.add(number_field(ui, value).range(1..=MAX_TILE_SIDE).speed(0.2));
             drag.widget_info(|| named(name, *value));
             ui.label(between);
         }
@@ -164,7 +165,7 @@ pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
         ui.spacing_mut().item_spacing.x = 6.0;
         lead(ui, name, LEAD);
         let rings = ui.add(
-            DragValue::new(&mut directions.theta)
+            number_field(ui, &mut directions.theta)
                 .range(1..=MAX_ANGLE_STEPS)
                 .speed(0.05)
                 .suffix(format!(" {}", tr!("rings"))),
@@ -172,7 +173,7 @@ pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
         rings.widget_info(|| named(&tr!("{name}: rings"), directions.theta));
         ui.label("x");
         let steps = ui.add(
-            DragValue::new(&mut directions.phi)
+            number_field(ui, &mut directions.phi)
                 .range(1..=MAX_ANGLE_STEPS)
                 .speed(0.05)
                 .suffix(format!(" {}", tr!("steps"))),

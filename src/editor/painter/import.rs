@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use chiaro_locale::tr;
-use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
+use eframe::egui::{self, Button, ComboBox, Id, Modal, RichText, Ui, WidgetInfo};
 
 use super::grid::directions;
 use crate::commands::{Command, PaintCommand, PictureImport};
@@ -15,6 +15,7 @@ use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, ExchangeFormat};
 use crate::progress::Progress;
 use crate::widgets::confirm;
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 impl PictureImport {
@@ -95,7 +96,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command
         if import.form == ExchangeFormat::Contact {
             ui.horizontal(|ui| {
                 let label = ui.label(tr!("Texels between the tiles")).id;
-                ui.add(DragValue::new(&mut import.gap).range(0..=MAX_GAP).speed(0.1))
+                ui.add(number_field(ui, &mut import.gap).range(0..=MAX_GAP).speed(0.1))
                     .labelled_by(label);
             });
         }

@@ -4,8 +4,8 @@
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Color32, FontId, Pos2, Rect, Response, RichText, Role, ScrollArea, Sense, Slider, Stroke,
-    StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Color32, FontId, Pos2, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind,
+    Ui, WidgetInfo, pos2, vec2,
 };
 
 pub(super) use super::atlas::Atlas;
@@ -16,6 +16,7 @@ use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Directions, HcbtfEdit};
 use crate::hcbtf::Provenance;
 use crate::state::painting::work::{OpenPainting, SampleState};
+use crate::widgets::number::number_slider;
 use crate::widgets::theme;
 
 /// Gap between rings, in points.
@@ -82,7 +83,7 @@ impl Map {
             ui.spacing_mut().slider_width = 70.0;
             let help = tr!("How large the cells are; larger ones show their pictures");
             ui.label(tr!("Cells")).on_hover_text(help);
-            let slider = ui.add(Slider::new(&mut side, 4.0..=LARGEST).show_value(false));
+            let slider = ui.add(number_slider(ui, &mut side, 4.0..=LARGEST).show_value(false));
             slider.widget_info(|| {
                 WidgetInfo::slider(true, f64::from(side), tr!("Size of the map's cells"))
             });

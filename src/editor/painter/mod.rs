@@ -41,7 +41,7 @@ mod visibility;
 use std::path::PathBuf;
 
 use chiaro_locale::tr;
-use eframe::egui::{Button, Key, Pos2, Rect, RichText, Slider, Ui, WidgetInfo};
+use eframe::egui::{Button, Key, Pos2, Rect, RichText, Ui, WidgetInfo};
 
 use crate::commands::keyboard;
 use crate::commands::{Command, Heading, PaintCommand, PictureImport};
@@ -56,6 +56,7 @@ use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::state::worker::BackgroundJobs;
+use crate::widgets::number::number_slider;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 pub(crate) use making::MadePainting;
@@ -373,7 +374,7 @@ impl Painting {
             let help = tr!("How much of the neighboring samples shines through");
             ui.label(tr!("Onion skin")).on_hover_text(help);
             ui.spacing_mut().slider_width = 60.0;
-            let slider = ui.add(Slider::new(&mut easel.onion, 0.0..=1.0).show_value(false));
+            let slider = ui.add(number_slider(ui, &mut easel.onion, 0.0..=1.0).show_value(false));
             slider.widget_info(|| {
                 WidgetInfo::slider(true, f64::from(easel.onion), tr!("Onion skin"))
             });

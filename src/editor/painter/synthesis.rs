@@ -6,8 +6,8 @@ use std::sync::Arc;
 use chiaro_locale::tr;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{
-    Align2, Button, Color32, DragValue, FontId, Id, Modal, Rect, RichText, Sense, Shape, TextureId,
-    Ui, WidgetInfo, pos2, vec2,
+    Align2, Button, Color32, FontId, Id, Modal, Rect, RichText, Sense, Shape, TextureId, Ui,
+    WidgetInfo, pos2, vec2,
 };
 
 use super::making::{HcbtfWorker, MakeRequest, SynthesizedTile, bar};
@@ -20,6 +20,7 @@ use crate::hcbtf::{Device, FilledSamples, Synthesis};
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
+use crate::widgets::number::number_field;
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
 
@@ -168,7 +169,7 @@ fn fields(ui: &mut Ui, asked: &mut SynthesisDialog) {
         ui.spacing_mut().item_spacing.x = 6.0;
         let help = tr!("Another number lays other patches");
         let label = lead(ui, tr!("Seed"), grid::LEAD).on_hover_text(help).id;
-        ui.add(DragValue::new(&mut how.seed).speed(0.1)).labelled_by(label).on_hover_text(help);
+        ui.add(number_field(ui, &mut how.seed).speed(0.1)).labelled_by(label).on_hover_text(help);
         if ui.button(tr!("Another")).on_hover_text(tr!("Takes the next number")).clicked() {
             how.seed = how.seed.wrapping_add(1);
         }
@@ -182,7 +183,7 @@ fn fields(ui: &mut Ui, asked: &mut SynthesisDialog) {
         }
         let mut texels = how.patch.unwrap_or(shortest / 2);
         let most = shortest.min(how.size[0]).min(how.size[1]).saturating_sub(1).max(3);
-        let drag = DragValue::new(&mut texels)
+        let drag = number_field(ui, &mut texels)
             .range(3..=most)
             .speed(0.1)
             .suffix(format!(" {}", tr!("texels")));

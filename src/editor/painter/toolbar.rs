@@ -2,8 +2,7 @@
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Color32, DragValue, Rect, Role, Sense, Slider, Stroke, StrokeKind, Ui, WidgetInfo,
-    color_picker, vec2,
+    Color32, DragValue, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, color_picker, vec2,
 };
 
 use super::icons;
@@ -12,6 +11,7 @@ use crate::commands::PaintTool;
 use crate::document::ColorSpace;
 use crate::hcbtf::paint::{Pressure, Symmetry};
 use crate::widgets::color;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::theme;
 
 /// Side of a color of the palette, in points.
@@ -47,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
                 "How many texels the color goes on under soft edges, so that no rim of the old one \
                  is left; 0 stops where the tolerance does"
             );
-            let drag = DragValue::new(&mut tools.edge)
+            let drag = number_field(ui, &mut tools.edge)
                 .range(0..=MOST_EDGE)
                 .speed(0.1)
                 .suffix(format!(" {}", tr!("texels")));
@@ -61,7 +61,7 @@ pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
 }
 
 fn brush(ui: &mut Ui, tools: &mut Tools) {
-    let size = DragValue::new(&mut tools.size)
+    let size = number_field(ui, &mut tools.size)
         .range(1.0..=LARGEST)
         .speed(0.1)
         .max_decimals(1)
@@ -109,7 +109,7 @@ fn symmetry(ui: &mut Ui, symmetry: &mut Symmetry) {
     ui.checkbox(&mut symmetry.across_v, tr!("Mirror top and bottom"))
         .on_hover_text(tr!("Strokes appear above and below"));
     let mut turns = symmetry.turns.max(1);
-    let slider = Slider::new(&mut turns, 1..=12).text(tr!("copies around"));
+    let slider = number_slider(ui, &mut turns, 1..=12).text(tr!("copies around"));
     if ui
         .add(slider)
         .on_hover_text(tr!("Turned copies around the middle, as in a rosette"))
@@ -123,7 +123,7 @@ fn symmetry(ui: &mut Ui, symmetry: &mut Symmetry) {
 fn part(ui: &mut Ui, label: &str, help: &str, value: &mut f64) {
     let mut percent = *value * 100.0;
     let drag =
-        DragValue::new(&mut percent).range(0.0..=100.0).speed(0.5).max_decimals(0).suffix("%");
+        number_field(ui, &mut percent).range(0.0..=100.0).speed(0.5).max_decimals(0).suffix("%");
     if named(ui, label, help, drag) {
         *value = percent / 100.0;
     }

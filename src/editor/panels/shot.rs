@@ -3,8 +3,8 @@
 
 use chiaro_locale::{Text, text, tr, trn};
 use eframe::egui::{
-    Align, Button, ComboBox, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea,
-    Sense, TextEdit, Ui, WidgetInfo,
+    Align, Button, ComboBox, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense, TextEdit,
+    Ui, WidgetInfo,
 };
 
 use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand, table};
@@ -16,7 +16,9 @@ use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
 use crate::state::shot::{LostChange, OpenShot, ShotAddress};
+use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
@@ -75,7 +77,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         let mut name = shot.shot().name.clone();
         let field = TextEdit::singleline(&mut name).desired_width(f32::INFINITY);
         let response = ui.add(field).labelled_by(label);
-        if response.changed() {
+        if is_typed(ui, &response, &mut name) {
             push(out, ShotCommand::EditHeld(response.id, ShotEdit::SetShotName { name }));
         }
     });
@@ -139,7 +141,7 @@ fn frames(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command
         for (frame, name, is_first) in
             [(&mut first, tr!("First frame"), true), (&mut last, tr!("Last frame"), false)]
         {
-            let response = ui.add(DragValue::new(frame).speed(0.2));
+            let response = ui.add(number_field(ui, frame).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             if response.changed() {
                 let frames = if is_first {
@@ -249,7 +251,7 @@ fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
             return;
         };
         for (index, name) in [tr!("Width"), tr!("Height")].into_iter().enumerate() {
-            let drag = DragValue::new(&mut size[index]).range(1..=32_768).speed(2.0);
+            let drag = number_field(ui, &mut size[index]).range(1..=32_768).speed(2.0);
             let response = ui.add(drag);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             if response.changed() {

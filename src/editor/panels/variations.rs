@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use chiaro_locale::{text, tr};
 use eframe::egui::{
-    Button, Color32, ComboBox, DragValue, FontId, Rect, RichText, Role, ScrollArea, Sense, Slider,
-    Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Button, Color32, ComboBox, FontId, Rect, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind,
+    Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::library::cards::columns;
@@ -21,6 +21,7 @@ use crate::state::crashes::DocumentOrigin;
 use crate::state::session::Session;
 use crate::state::snapshot::{RenderSnapshot, Stamp};
 use crate::state::variations::{STEPS, Variation, VariationKind, VariationSheet, VariedSubject};
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::rows::{picture_frame, whole};
 use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
@@ -297,7 +298,7 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
                 for (side, name) in [(0, tr!("From")), (1, tr!("To"))] {
                     let label = ui.label(name);
                     let mut shown = sheet.range[side] * factor;
-                    let drag = DragValue::new(&mut shown).suffix(suffix).max_decimals(3);
+                    let drag = number_field(ui, &mut shown).suffix(suffix).max_decimals(3);
                     let speed =
                         ((sheet.range[1] - sheet.range[0]).abs() * factor / 100.0).max(0.001);
                     let drag = drag.range(least * factor..=most * factor).speed(speed);
@@ -306,12 +307,12 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
                     }
                 }
                 let label = ui.label(tr!("Steps"));
-                let drag = DragValue::new(&mut sheet.steps).range(STEPS).speed(0.1);
+                let drag = number_field(ui, &mut sheet.steps).range(STEPS).speed(0.1);
                 ui.add(drag).labelled_by(label.id);
             }
             VariationKind::Color | VariationKind::Direction => {
                 let label = ui.label(tr!("How far"));
-                let slider = Slider::new(&mut sheet.spread, 0.02..=1.0).show_value(false);
+                let slider = number_slider(ui, &mut sheet.spread, 0.02..=1.0).show_value(false);
                 ui.add(slider).labelled_by(label.id);
             }
             VariationKind::Choice | VariationKind::Mesh => {}

@@ -2,7 +2,7 @@
 //! be taken back.
 //!
 //! A mask's file has every stroke as soon as it ends. The strokes lie in the window's one order of
-//! undo while masks are painted.
+//! undo as long as the look is open: its picture shows them, whether the brush is at hand or not.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -130,8 +130,6 @@ pub(crate) struct MaskSteps {
     /// Undone steps, the next to redo last.
     undone: Vec<MaskStep>,
     pub(crate) times: Times,
-    /// True while masks are painted, so that undo takes their steps back.
-    pub(crate) is_open: bool,
 }
 
 impl MaskSteps {
@@ -192,11 +190,17 @@ pub(crate) fn file_of<'l>(look: &'l Look, layer: &NodeId) -> Option<&'l str> {
 /// The name of the file of a layer's mask, as the look names it, and the way in which the picture
 /// lies: where it can be painted.
 pub(crate) fn painted_of<'l>(look: &'l Look, layer: &NodeId) -> Option<(&'l str, MaskLaying)> {
+    let (id, name) = image_of(look, layer)?;
+    Some((name, laying_of(look, id, look.graph.nodes.get(id)?)?))
+}
+
+/// The node that reads the picture of a layer's mask, and the picture's name as the look has it.
+pub(crate) fn image_of<'l>(look: &'l Look, layer: &NodeId) -> Option<(&'l NodeId, &'l str)> {
     let (mask, _) = mask::of(look, layer)?;
     let (id, image) = feeder(look, mask, mask::SHOWN).filter(|(_, node)| node.kind == IMAGE)?;
     let Value::Text(name) = image.values.get(IMAGE)? else { return None };
     let is_file = name.to_lowercase().ends_with(".png") && !name.contains([':', '#']);
-    is_file.then_some(name).zip(laying_of(look, id, image)).map(|(name, way)| (name.as_str(), way))
+    is_file.then_some((id, name.as_str()))
 }
 
 fn laying_of(look: &Look, id: &NodeId, image: &Node) -> Option<MaskLaying> {

@@ -17,6 +17,7 @@ pub(crate) mod painting;
 pub(crate) mod parts;
 pub(crate) mod paths;
 pub(crate) mod picture_cost;
+pub(crate) mod pictures;
 pub(crate) mod problem_text;
 pub(crate) mod reading;
 pub(crate) mod revision;

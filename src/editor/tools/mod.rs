@@ -6,7 +6,7 @@ pub(crate) mod fitting;
 pub(crate) mod flip;
 pub(crate) mod handles;
 pub(crate) mod masking;
-mod notice;
+pub(crate) mod notice;
 pub(crate) mod onion;
 pub(crate) mod picture_plan;
 pub(crate) mod placing;

@@ -10,8 +10,8 @@ use std::sync::Arc;
 use chiaro_locale::tr;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Color32, ColorImage, DragValue, PopupCloseBehavior, Rect, RichText, Role, Slider,
-    TextureHandle, TextureOptions, Ui, WidgetInfo,
+    Color32, ColorImage, PopupCloseBehavior, Rect, RichText, Role, TextureHandle, TextureOptions,
+    Ui, WidgetInfo,
 };
 
 use super::playback::cache::PictureKey;
@@ -19,6 +19,7 @@ use super::playback::paint::fit;
 use super::playback::{Playback, frame_at};
 use super::{PictureContext, SwitchPlace, ToolRow};
 use crate::state::session::Session;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
@@ -100,19 +101,20 @@ impl OnionSkin {
             ui.radio_value(&mut self.by, OnionStep::Keys, tr!("At keys before and after"));
             ui.radio_value(&mut self.by, OnionStep::Frames, tr!("At frames before and after"));
             ui.horizontal(|ui| {
-                let count = ui.add(DragValue::new(&mut self.count).range(1..=MOST));
+                let count = ui.add(number_field(ui, &mut self.count).range(1..=MOST));
                 count.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Ghosts")));
                 ui.label(tr!("on each side"));
             });
             if self.by == OnionStep::Frames {
                 ui.horizontal(|ui| {
-                    let spacing = ui.add(DragValue::new(&mut self.spacing).range(1..=1000));
+                    let spacing = ui.add(number_field(ui, &mut self.spacing).range(1..=1000));
                     let name = tr!("Frames between ghosts");
                     spacing.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
                     ui.label(tr!("frames apart"));
                 });
             }
-            let opacity = ui.add(Slider::new(&mut self.opacity, 0.05..=1.0).text(tr!("Opacity")));
+            let opacity =
+                ui.add(number_slider(ui, &mut self.opacity, 0.05..=1.0).text(tr!("Opacity")));
             let value = f64::from(self.opacity);
             opacity.widget_info(|| WidgetInfo::slider(true, value, tr!("Opacity of ghosts")));
             ui.horizontal(|ui| {

@@ -19,9 +19,10 @@ use crate::geometry::SHAPES;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::state::wire::Style;
-use crate::tools::probe::wire_name;
+use crate::tools::notice::stand_below;
 use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
+use crate::widgets::number::number_slider;
 use crate::widgets::theme;
 
 /// Least width of a bar that tells the number of a scene's objects, in points.
@@ -160,7 +161,7 @@ impl Viewport {
                 "Shows the picture brighter or darker, in stops; for this window only, the look \
                  stays as it is"
             );
-            let slider = egui::Slider::new(&mut self.exposure, range).max_decimals(2).step_by(0.05);
+            let slider = number_slider(ui, &mut self.exposure, range).max_decimals(2).step_by(0.05);
             ui.add(slider).labelled_by(label.id).on_hover_text(help);
             if self.exposure != 0.0 && ui.small_button("0").on_hover_text(tr!("As it is")).clicked()
             {
@@ -187,7 +188,7 @@ impl Viewport {
         if reference.place == ReferencePlacement::Over {
             ui.horizontal(|ui| {
                 let label = ui.label(tr!("Opacity of the image"));
-                ui.add(egui::Slider::new(&mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
+                ui.add(number_slider(ui, &mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
             });
         }
         if is_over {
@@ -301,6 +302,7 @@ pub(super) fn over_top(
     let is_told =
         is_soloed || is_turned || session.view.wire.is_some() || !session.view.solo.is_empty();
     if !is_told && through.is_none() && stands.offer(session).is_none() {
+        stand_below(ui.ctx(), 0.0);
         return;
     }
     let id = ui.scope_id().with("told over the picture");
@@ -324,7 +326,9 @@ pub(super) fn over_top(
             out.extend(solo_bar::of_scene(ui, session));
             out.extend(stands.show(ui, session));
         });
-    ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
+    let height = shown.response.rect.height();
+    ui.data_mut(|data| data.insert_temp(id, height));
+    stand_below(ui.ctx(), height);
 }
 
 /// Says that a light is looked through, with a button that leads back.
@@ -380,9 +384,9 @@ fn turned_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<
 /// Says that a wire is viewed in place of the picture, with a button that leads back.
 fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
     let wire = session.view.wire.as_ref()?;
-    let node = session.look_with_library().node_at(&wire.node)?;
-    let kind = session.project.catalog.of(node);
-    let name = wire_name(session, &wire.node);
+    let look = session.look_with_library();
+    let kind = look.catalog.of(look.node_at(&wire.node)?);
+    let name = look.title_of_path(&wire.node);
     let port = kind
         .and_then(|kind| {
             let port = &kind.outputs[kind.output(wire.port.as_str())?];

@@ -52,6 +52,7 @@ use crate::state::worker::BackgroundJobs;
 use crate::tools::fitting::FitTool;
 use crate::tools::flip::FlipBook;
 use crate::tools::handles::HandlesSwitch;
+use crate::tools::masking::MaskTool;
 use crate::tools::onion::OnionSkin;
 use crate::tools::placing::PlacingTool;
 use crate::tools::playback::Playback;
@@ -336,7 +337,7 @@ impl Viewport {
         if let Some(mark) = owner.and_then(|tool| tool.mark) {
             response.on_hover_cursor(CursorIcon::Crosshair);
             mark(tools, ui, rect);
-        } else if handles.is_on && !tools.of::<FitTool>().is_on() {
+        } else if handles.is_on && !has_brush(tools) {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
             out.extend(keyboard_handles::show(ui, rect, session));
             out.extend(self.highlight.keyboard(ui, rect, session));
@@ -732,4 +733,10 @@ impl BackgroundJobs for Viewport {
         self.exports.wait();
         self.colors.wait();
     }
+}
+
+/// True while strokes are painted on the picture: handles, which cannot be dragged then, would lie
+/// over the brush's controls.
+fn has_brush(tools: &PictureTools) -> bool {
+    tools.of::<FitTool>().is_on() || tools.of::<MaskTool>().is_on()
 }

@@ -16,6 +16,7 @@ use crate::fields::edge::{self, EdgeField};
 use crate::fields::layer::{Curve, SelectedLayer, Setting};
 use crate::state::session::Session;
 use crate::widgets::color;
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 /// Least height of a picture with a strip, in points.
@@ -182,12 +183,8 @@ fn angles(
         ui.painter().circle_filled(dot.center(), 4.0, theme::curve(index));
         let mut degrees = shown[index].to_degrees();
         let widget =
-            DragValue::new(&mut degrees).range(least.to_degrees()..=most.to_degrees()).speed(0.5);
-        let widget = widget
-            .max_decimals(1)
-            .prefix(format!("{} ", curve.label()))
-            .suffix("°")
-            .update_while_editing(false);
+            number_field(ui, &mut degrees).range(least.to_degrees()..=most.to_degrees()).speed(0.5);
+        let widget = widget.max_decimals(1).prefix(format!("{} ", curve.label())).suffix("°");
         let help = match curve {
             Curve::Offset => tr!("Up to this angle from the light the tone is full"),
             Curve::Falloff => tr!("Where the tone falls fastest"),
@@ -254,7 +251,7 @@ fn surface(
     }
     if let Some(setting) = &layer.slope {
         let mut slope = setting.at_key;
-        let widget = DragValue::new(&mut slope)
+        let widget = number_field(ui, &mut slope)
             .speed(0.005)
             .max_decimals(3)
             .prefix(format!("{} ", tr!("Shape slope")));
@@ -270,7 +267,8 @@ fn surface(
     }
     if let Some(setting) = &layer.amount {
         let mut degrees = setting.at_key.to_degrees();
-        let widget = DragValue::new(&mut degrees).speed(0.5).range(-180.0..=180.0).max_decimals(1);
+        let widget =
+            number_field(ui, &mut degrees).speed(0.5).range(-180.0..=180.0).max_decimals(1);
         let widget = widget.prefix(format!("{} ", tr!("Shape offset"))).suffix("°");
         let help = tr!(
             "How far convex parts are lit beyond, and concave parts short of, what the profile \

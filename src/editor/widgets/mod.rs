@@ -6,6 +6,7 @@ pub(crate) mod curve;
 pub(crate) mod handle;
 pub(crate) mod icon;
 pub(crate) mod menu;
+pub(crate) mod number;
 pub(crate) mod picker;
 pub(crate) mod ramp;
 pub(crate) mod rows;

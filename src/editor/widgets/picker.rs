@@ -7,11 +7,12 @@ use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::style::StyleModifier;
 use eframe::egui::{
-    Color32, CornerRadius, DragValue, EventFilter, Id, Key, Mesh, Modifiers, Popup,
-    PopupCloseBehavior, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
-    WidgetInfo, color_picker, pos2, vec2,
+    Color32, CornerRadius, EventFilter, Id, Key, Mesh, Modifiers, Popup, PopupCloseBehavior, Rect,
+    Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, color_picker, pos2,
+    vec2,
 };
 
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::theme;
 
 /// Size of the square, in points.
@@ -147,7 +148,7 @@ pub(crate) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Op
             rgb.iter_mut().zip([("R", tr!("Red")), ("G", tr!("Green")), ("B", tr!("Blue"))])
         {
             let mut byte = f64::from(value.clamp(0.0, 1.0)) * 255.0;
-            let drag = DragValue::new(&mut byte)
+            let drag = number_field(ui, &mut byte)
                 .range(0.0..=255.0)
                 .max_decimals(0)
                 .speed(0.5)
@@ -176,7 +177,7 @@ fn opacity(ui: &mut Ui, alpha: f32) -> Option<f32> {
     ui.horizontal(|ui| {
         let label = ui.label(tr!("Opacity"));
         ui.spacing_mut().slider_width = SQUARE.x - 120.0;
-        let slider = egui::Slider::new(&mut percent, 0.0..=100.0).suffix("%").max_decimals(0);
+        let slider = number_slider(ui, &mut percent, 0.0..=100.0).suffix("%").max_decimals(0);
         ui.add(slider).labelled_by(label.id).changed()
     })
     .inner

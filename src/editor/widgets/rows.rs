@@ -7,7 +7,7 @@ use eframe::egui::{
     Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::commands::Command;
+use crate::commands::{Command, keyboard};
 use crate::widgets::theme;
 
 /// Side of an icon's button, in points.
@@ -158,10 +158,9 @@ impl<I> NameEdit<I> {
 }
 
 /// True if a field that lost the keyboard in this frame was left with its text, and not given up by
-/// Escape. Others may have taken the press of that key: the field loses the keyboard before
-/// anything is shown.
+/// Escape.
 pub(crate) fn leaves_with_text(ui: &Ui) -> bool {
-    !ui.input(|input| input.key_pressed(Key::Escape) || input.key_down(Key::Escape))
+    !keyboard::is_escape_pressed(ui.ctx())
 }
 
 /// Takes the keys of undo and redo for a row that has the keyboard, as the window leaves keys to

@@ -7,7 +7,7 @@ use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Id, Label, Response, RichText, TextEdit, Ui, WidgetText};
 
-use super::theme;
+use super::{rows, theme};
 
 /// Shows a line in place of content that does not exist yet.
 pub(crate) fn hint(ui: &mut Ui, text: &str) {
@@ -23,9 +23,31 @@ pub(crate) fn in_lines(ui: &mut Ui, text: RichText, lines: usize) -> Response {
     ui.add(Label::new(job).show_tooltip_when_elided(false))
 }
 
+/// True if the text of a field that takes effect while it is typed is another one in this frame.
+/// Escape brings back the text that the field had when it got the keyboard.
+pub(crate) fn is_typed(ui: &Ui, response: &Response, text: &mut String) -> bool {
+    let id = response.id.with("text before it was typed");
+    let frame = ui.ctx().cumulative_frame_nr();
+    // A text kept frames ago is of a field that was hidden while it had the keyboard.
+    let kept = ui.data_mut(|data| data.remove_temp::<(String, u64)>(id));
+    let before = kept.filter(|(_, seen)| seen + 1 >= frame).map(|(before, _)| before);
+    if response.has_focus() {
+        let before = before.unwrap_or_else(|| text.clone());
+        ui.data_mut(|data| data.insert_temp(id, (before, frame)));
+        return response.changed();
+    }
+    match before.filter(|before| before != text && !rows::leaves_with_text(ui)) {
+        Some(before) => {
+            *text = before;
+            true
+        }
+        None => response.changed(),
+    }
+}
+
 /// Shows a field for a value that has a form as text. A text of that form takes effect while it is
 /// typed; any other waits in the field with the reason below it, and is given up when the keyboard
-/// leaves. Returns the new value with the id of the widget.
+/// leaves. Escape brings back the text of before. Returns the new value with the id of the widget.
 pub(crate) fn formed<T: PartialEq>(
     ui: &mut Ui,
     label: Id,
@@ -45,13 +67,14 @@ pub(crate) fn formed<T: PartialEq>(
     ui.vertical(|ui| {
         let edit = TextEdit::singleline(&mut text).id(id).hint_text(tr!("none")).text_color(ink);
         let response = ui.add(edit.desired_width(f32::INFINITY)).labelled_by(label);
+        let is_changed = is_typed(ui, &response, &mut text);
         if response.lost_focus() {
             ui.data_mut(|data| data.remove::<String>(id));
-        } else if response.changed() {
+        } else if is_changed {
             ui.data_mut(|data| data.insert_temp(id, text.clone()));
         }
         match read(&text) {
-            Ok(value) => response.changed().then_some((id, value)),
+            Ok(value) => is_changed.then_some((id, value)),
             Err(why) => {
                 ui.label(RichText::new(why).small().color(theme::of(ui).error));
                 None
@@ -77,4 +100,66 @@ pub(crate) fn cell(
     let galley = ui.fonts_mut(|fonts| fonts.layout_job(job));
     let at = egui::pos2(rect.left(), rect.center().y - galley.size().y / 2.0);
     ui.painter().galley(at, galley, color);
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::{Context, Event, Key, Modifiers, RawInput};
+
+    use super::*;
+    use crate::commands::keyboard;
+
+    /// A field whose text takes effect while it is typed, with the keyboard.
+    struct Desk {
+        ctx: Context,
+        text: String,
+    }
+
+    impl Desk {
+        fn frame(&mut self, events: Vec<Event>) {
+            let input = RawInput { events, ..RawInput::default() };
+            let output = self.ctx.clone().run_ui(input, |ui| {
+                keyboard::begin_frame(ui.ctx());
+                // Others take Escape before the field is shown, as the canvas does.
+                keyboard::take(ui, (Modifiers::NONE, Key::Escape));
+                let mut text = self.text.clone();
+                let id = Id::unique("field");
+                let response = ui.add(TextEdit::singleline(&mut text).id(id));
+                if is_typed(ui, &response, &mut text) {
+                    self.text = text;
+                }
+            });
+            output.drop_without_applying_deltas();
+        }
+
+        fn enter(&mut self, text: &str) {
+            self.frame(Vec::new());
+            self.ctx.memory_mut(|memory| memory.request_focus(Id::unique("field")));
+            self.frame(Vec::new());
+            self.frame(vec![Event::Text(text.to_owned())]);
+        }
+
+        fn key(&mut self, key: Key) {
+            let (physical_key, modifiers) = (None, Modifiers::NONE);
+            let event =
+                |pressed| Event::Key { key, physical_key, pressed, repeat: false, modifiers };
+            self.frame(vec![event(true), event(false)]);
+            self.frame(Vec::new());
+        }
+    }
+
+    #[test]
+    fn escape_brings_back_the_text_of_before_and_other_keys_leave_what_was_typed() {
+        let mut desk = Desk { ctx: Context::default(), text: "rim".to_owned() };
+        for (key, typed, left) in [
+            (Key::Escape, "rim1", "rim"),
+            (Key::Enter, "rim1", "rim1"),
+            (Key::Tab, "rim12", "rim12"),
+        ] {
+            desk.enter(&typed[desk.text.len()..]);
+            assert_eq!(desk.text, typed, "it takes effect while it is typed");
+            desk.key(key);
+            assert_eq!(desk.text, left, "{key:?}");
+        }
+    }
 }

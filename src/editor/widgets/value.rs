@@ -1,13 +1,14 @@
 //! Editor of a value in a cell of a table, in as little room as its type allows.
 
 use chiaro_locale::tr_in;
-use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, TextWrapMode, Ui, vec2};
+use eframe::egui::{Checkbox, ComboBox, Id, RichText, TextWrapMode, Ui, vec2};
 
 use super::color;
 use crate::catalog::Port;
 use crate::document::{ColorSpace, Value};
 use crate::library::Type;
 use crate::values;
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 /// Edits a value in place; `name` is its name for screen readers. Returns the id of the widget and
@@ -54,7 +55,7 @@ fn number(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Va
     let mut shown = values::number(Some(value)) * scale;
     let range = port.min.map_or(f64::NEG_INFINITY, |x| x * scale)
         ..=port.max.map_or(f64::INFINITY, |x| x * scale);
-    let drag = DragValue::new(&mut shown)
+    let drag = number_field(ui, &mut shown)
         .range(range)
         .clamp_existing_to_range(false)
         .suffix(if scale == 1.0 { "" } else { "°" })
@@ -76,7 +77,7 @@ fn vector(ui: &mut Ui, name: &str, value: &Value, width: usize) -> Option<(Id, V
     let mut numbers = values::vector(Some(value), width);
     let mut changed = None;
     for (number, axis) in numbers.iter_mut().zip(["x", "y", "z", "w"]) {
-        let drag = DragValue::new(number).speed(0.01).max_decimals(3);
+        let drag = number_field(ui, number).speed(0.01).max_decimals(3);
         let response = ui.add_sized(vec2(44.0, ui.spacing().interact_size.y), drag);
         named(&response, eframe::egui::Role::SpinButton, &format!("{name} {axis}"));
         if response.changed() {

@@ -39,7 +39,8 @@ impl<'a> Archive<'a> {
                 .hint(tr!("save it again, or take a backup")));
         }
         if !bytes.starts_with(b"PK") {
-            let message = tr!("this is no HCBTF: it does not begin as a zip file does");
+            let message =
+                tr!("this is no painted surface (HCBTF): it does not begin as a zip file does");
             let is_json = bytes.trim_ascii_start().starts_with(b"{");
             let hint = if is_json {
                 tr!("it is JSON, as looks and scenes are: `chiaro explain` tells of those")

@@ -84,7 +84,7 @@ fn read_into(bytes: &[u8], report: &mut FileReport) -> Option<Hcbtf> {
     if !archive.has(NAME) {
         let problem = Diagnostic::error(
             "hcbtf-manifest",
-            tr!("the zip file holds no `{NAME}`, so it is no HCBTF"),
+            tr!("the zip file holds no `{NAME}`, so it is no painted surface (HCBTF)"),
         );
         report.add(problem.hint(tr!("`{NAME}` lies at the top of the zip, not in a folder of it")));
         return None;
@@ -237,7 +237,8 @@ pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut FileReport) {
 pub fn write(hcbtf: &Hcbtf) -> Result<Vec<u8>, Box<Diagnostic>> {
     check(hcbtf)?;
     let cannot = |why: String| {
-        Box::new(Diagnostic::error("cannot-write", tr!("the HCBTF cannot be packed: {why}")))
+        let message = tr!("the painted surface (HCBTF) cannot be packed: {why}");
+        Box::new(Diagnostic::error("cannot-write", message))
     };
     let text = manifest::text(hcbtf);
     let painted: Vec<(&Address, &Arc<Tile>)> = hcbtf.painted.iter().collect();

@@ -92,8 +92,8 @@ pub fn read(bytes: &[u8], name: &str) -> Result<LayeredTexture, Diagnostic> {
     let wrong = |message: &str| {
         Diagnostic::error("bad-ktx2", message.to_owned())
             .in_file(name)
-            .hint(tr!("export the HCBTF anew; only one level of RGBA8 or BC7 layers, without \
-                   supercompression, is read"))
+            .hint(tr!("export the painted surface (HCBTF) anew; only one level of RGBA8 or BC7 \
+                   layers, without supercompression, is read"))
     };
     if !bytes.starts_with(&IDENTIFIER) {
         return Err(wrong(tr!("this is no KTX2 file")));

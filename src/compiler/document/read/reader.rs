@@ -395,7 +395,7 @@ impl<'t> Reader<'t> {
 /// Name with `a` or `an` before it.
 pub(in crate::document) fn with_article(name: &str) -> String {
     let article = match name {
-        "hcbtf" => return tr!("an HCBTF").to_owned(),
+        "hcbtf" => return tr!("a painted surface (HCBTF)").to_owned(),
         _ if name.starts_with(['a', 'e', 'i', 'o', 'u']) => "an",
         _ => "a",
     };

@@ -8,8 +8,7 @@ use std::f64::consts::PI;
 
 use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
-    Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui,
-    WidgetInfo,
+    Checkbox, ComboBox, Id, ProgressBar, RichText, Role, ScrollArea, Ui, WidgetInfo,
 };
 
 use super::memory::Memory;
@@ -20,6 +19,7 @@ use crate::document::{Address, ColorSpace, Directions, HcbtfAngle, HcbtfEdit, Ru
 use crate::hcbtf::Provenance;
 use crate::state::painting::work::OpenPainting;
 use crate::widgets::color;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::rows::lead;
 use crate::widgets::theme;
 
@@ -314,8 +314,10 @@ fn number(
     range: std::ops::RangeInclusive<f64>,
 ) -> Option<Id> {
     line(ui, label, help, |ui, id| {
-        let response =
-            ui.add(Slider::new(value, range).max_decimals(2)).labelled_by(id).on_hover_text(help);
+        let response = ui
+            .add(number_slider(ui, value, range).max_decimals(2))
+            .labelled_by(id)
+            .on_hover_text(help);
         response.changed().then_some(response.id)
     })
 }
@@ -324,7 +326,7 @@ fn degrees(ui: &mut Ui, label: &str, radians: &mut f64) -> Option<Id> {
     let mut shown = radians.to_degrees();
     let help = tr!("How far from the mirrored direction it reaches");
     line(ui, label, help, |ui, id| {
-        let slider = Slider::new(&mut shown, 0.0..=180.0).suffix("°").max_decimals(0);
+        let slider = number_slider(ui, &mut shown, 0.0..=180.0).suffix("°").max_decimals(0);
         let response = ui.add(slider).labelled_by(id).on_hover_text(help);
         if response.changed() {
             *radians = shown.to_radians().clamp(0.0, PI);
@@ -405,7 +407,7 @@ pub(super) fn sample(ui: &mut Ui, work: &OpenPainting, from: &mut Address) -> Op
     for (label, [ring, step], directions, direction) in parts {
         line(ui, label, tr!("The ring from the normal, and the step around it"), |ui, _| {
             let mut field = |ui: &mut Ui, name: &str, value: &mut u32, count: u32| {
-                let drag = ui.add(DragValue::new(value).range(0..=count.max(1) - 1).speed(0.05));
+                let drag = ui.add(number_field(ui, value).range(0..=count.max(1) - 1).speed(0.05));
                 drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
                 if drag.changed() {
                     changed = Some(drag.id);

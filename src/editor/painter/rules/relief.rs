@@ -3,11 +3,12 @@
 use std::ops::RangeInclusive;
 
 use chiaro_locale::{Text, text, tr};
-use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
+use eframe::egui::{Button, CollapsingHeader, Id, Role, Ui, WidgetInfo};
 
 use super::{LEAD, OpenPainting};
 use crate::document::relief::{Channel, Finish, Glint, Illumination, PRESETS, Pattern};
 use crate::document::{Address, Relief};
+use crate::widgets::number::number_slider;
 use crate::widgets::rows::lead;
 
 /// Shows the fields of a relief. Returns the id of the widget that changed one.
@@ -106,7 +107,7 @@ impl Fields {
     ) {
         self.line(ui, label, help, |ui, id| {
             let response = ui
-                .add(Slider::new(value, range).max_decimals(3))
+                .add(number_slider(ui, value, range).max_decimals(3))
                 .labelled_by(id)
                 .on_hover_text(help);
             response.changed().then_some(response.id)
@@ -121,7 +122,7 @@ impl Fields {
         let mut shown = value.to_degrees();
         self.line(ui, label, help, |ui, id| {
             let slider =
-                Slider::new(&mut shown, 0.0..=most.to_degrees()).suffix("°").max_decimals(1);
+                number_slider(ui, &mut shown, 0.0..=most.to_degrees()).suffix("°").max_decimals(1);
             let response = ui.add(slider).labelled_by(id).on_hover_text(help);
             if response.changed() {
                 *value = shown.to_radians().clamp(0.0, most);
@@ -139,7 +140,8 @@ impl Fields {
         range: RangeInclusive<u32>,
     ) {
         self.line(ui, label, help, |ui, id| {
-            let response = ui.add(Slider::new(value, range)).labelled_by(id).on_hover_text(help);
+            let response =
+                ui.add(number_slider(ui, value, range)).labelled_by(id).on_hover_text(help);
             response.changed().then_some(response.id)
         });
     }
@@ -358,8 +360,9 @@ impl Fields {
         let help = tr!("How bright it shines where the sun is mirrored to the eye");
         self.number(ui, tr!("Glint amount"), help, &mut glint.amount, 0.0..=4.0);
         self.line(ui, tr!("Sharpness"), tr!("1 is broad, 500 a spark"), |ui, id| {
-            let slider =
-                Slider::new(&mut glint.sharpness, 1.0..=500.0).logarithmic(true).max_decimals(0);
+            let slider = number_slider(ui, &mut glint.sharpness, 1.0..=500.0)
+                .logarithmic(true)
+                .max_decimals(0);
             let response = ui.add(slider).labelled_by(id);
             response.changed().then_some(response.id)
         });

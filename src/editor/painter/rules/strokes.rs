@@ -3,12 +3,11 @@
 use std::ops::RangeInclusive;
 
 use chiaro_locale::{Text, text, tr, trn};
-use eframe::egui::{
-    Button, CollapsingHeader, ComboBox, DragValue, Id, RichText, Role, Ui, WidgetInfo,
-};
+use eframe::egui::{Button, CollapsingHeader, ComboBox, Id, RichText, Role, Ui, WidgetInfo};
 
 use super::{line, number, rgb, rgba};
 use crate::document::{Bundle, Placement, StrokeShape, StrokeTones, Strokes};
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 const SHAPES: [(StrokeShape, Text); 3] = [
@@ -338,7 +337,7 @@ fn drag(
     decimals: usize,
 ) -> Option<Id> {
     line(ui, label, help, |ui, id| {
-        let drag = DragValue::new(value).range(range).speed(speed).max_decimals(decimals);
+        let drag = number_field(ui, value).range(range).speed(speed).max_decimals(decimals);
         let response = ui.add(drag).labelled_by(id).on_hover_text(help);
         response.changed().then_some(response.id)
     })
@@ -351,7 +350,7 @@ fn pair(ui: &mut Ui, label: &str, help: &str, values: &mut [f64; 2], most: f64) 
         let names = [tr!("{label} from"), tr!("{label} to")];
         for (value, name) in values.iter_mut().zip(names) {
             let response =
-                ui.add(DragValue::new(value).range(0.0..=most).speed(0.005).max_decimals(3));
+                ui.add(number_field(ui, value).range(0.0..=most).speed(0.005).max_decimals(3));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, &name));
             if response.changed() {
                 changed = Some(response.id);
@@ -373,7 +372,7 @@ fn angle(
     let mut shown = radians.to_degrees();
     let most = range.end().to_radians();
     let changed = line(ui, label, help, |ui, id| {
-        let drag = DragValue::new(&mut shown).range(range).speed(0.5).max_decimals(1).suffix("°");
+        let drag = number_field(ui, &mut shown).range(range).speed(0.5).max_decimals(1).suffix("°");
         let response = ui.add(drag).labelled_by(id).on_hover_text(help);
         response.changed().then_some(response.id)
     });

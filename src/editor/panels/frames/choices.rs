@@ -1,9 +1,7 @@
 //! Choices of frames: which, where, how large, and with which layers.
 
 use chiaro_locale::tr;
-use eframe::egui::{
-    self, Button, CollapsingHeader, DragValue, RichText, Role, TextEdit, Ui, WidgetInfo,
-};
+use eframe::egui::{self, Button, CollapsingHeader, RichText, Role, TextEdit, Ui, WidgetInfo};
 
 use super::document::named_passes;
 use super::outputs::OutputMenu;
@@ -15,6 +13,8 @@ use crate::state::reading::spoken;
 use crate::state::runs::{
     CONTRIBUTIONS, FilmDocument, FrameChoices, LayerOption, MATTES, SampleDepth,
 };
+use crate::widgets::number::number_field;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 /// Size that is offered where the document says none, in pixels.
@@ -66,7 +66,7 @@ fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         for (frame, name) in
             [(&mut first, tr!("Render from frame")), (&mut last, tr!("Render to frame"))]
         {
-            let response = ui.add(DragValue::new(frame).speed(0.2));
+            let response = ui.add(number_field(ui, frame).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             response.on_hover_text(name);
         }
@@ -74,7 +74,7 @@ fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
             choices.frames = Some([first, last]);
         }
         let drag =
-            DragValue::new(&mut choices.step).range(1..=1000).speed(0.1).prefix(tr!("every "));
+            number_field(ui, &mut choices.step).range(1..=1000).speed(0.1).prefix(tr!("every "));
         let response = ui.add(drag);
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Step of frames")));
         response.on_hover_text(tr!("1 for every frame, 2 for every second one"));
@@ -96,7 +96,8 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
     labelled(ui, tr!("Folder"), help, |ui, label| {
         let width = (ui.available_width() - 34.0).max(64.0);
         let field = TextEdit::singleline(&mut choices.folder).desired_width(width);
-        ui.add(field).labelled_by(label);
+        let response = ui.add(field).labelled_by(label);
+        is_typed(ui, &response, &mut choices.folder);
         let choose = ui.small_button("...").on_hover_text(tr!("Chooses the folder"));
         choose.widget_info(|| {
             WidgetInfo::labeled(Role::Button, true, tr!("Choose the folder of the frames"))
@@ -109,7 +110,8 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
     several(ui, tr!("Name"), help, |ui, label| {
         let width = (ui.available_width() - 92.0).max(64.0);
         let field = TextEdit::singleline(&mut choices.name).desired_width(width);
-        ui.add(field).labelled_by(label);
+        let response = ui.add(field).labelled_by(label);
+        is_typed(ui, &response, &mut choices.name);
         ui.spacing_mut().item_spacing.x = 2.0;
         for (ending, text, help) in [
             ("exr", "EXR", tr!("Light, with layers and mattes, for a compositor")),
@@ -136,7 +138,7 @@ fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         };
         let mut size = choices.size.unwrap_or(own);
         for (side, name) in size.iter_mut().zip([tr!("Width of frames"), tr!("Height of frames")]) {
-            let response = ui.add(DragValue::new(side).range(1..=32_768).speed(2.0));
+            let response = ui.add(number_field(ui, side).range(1..=32_768).speed(2.0));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             response.on_hover_text(name);
         }

@@ -2,7 +2,7 @@
 
 use chiaro_locale::{tr, trn};
 use eframe::egui::style::ScrollAnimation;
-use eframe::egui::{Align, Button, DragValue, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Align, Button, RichText, Role, Ui, WidgetInfo};
 
 use super::{FrameRenders, JobRun, command_text, view_of};
 use crate::commands::{Command, FilmCommand};
@@ -10,6 +10,7 @@ use crate::fields::row::labelled;
 use crate::film::farm::{FARMS, Farm};
 use crate::panels::table::PanelContext;
 use crate::state::runs::{FilmDocument, RunEnd};
+use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
@@ -49,7 +50,7 @@ impl FrameRenders {
         });
         let count = self.choices.list(document).map_or(0, |list| list.frames().len());
         labelled(ui, tr!("Frames a task"), tr!("Greatest number of frames of a task"), |ui, _| {
-            let drag = DragValue::new(&mut self.farm.chunk).range(1..=100_000).speed(0.2);
+            let drag = number_field(ui, &mut self.farm.chunk).range(1..=100_000).speed(0.2);
             let response = ui.add(drag);
             response
                 .widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frames a task")));

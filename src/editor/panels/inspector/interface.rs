@@ -10,6 +10,7 @@ use crate::fields::row;
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, PortName};
 use crate::state::interface::{free_port, set};
 use crate::state::session::Session;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 /// Shows the interface of the open group.
@@ -78,7 +79,7 @@ fn text_row(
             .desired_width(f32::INFINITY)
             .char_limit(200);
         let response = ui.add(edit).labelled_by(id);
-        if response.changed() {
+        if is_typed(ui, &response, &mut text) {
             changed(response.id, text);
         }
     });
@@ -146,7 +147,7 @@ fn ports(
                 response.widget_info(|| {
                     egui::WidgetInfo::labeled(egui::Role::TextInput, true, &names.label)
                 });
-                if response.changed() {
+                if is_typed(ui, &response, &mut label) {
                     let label = (!label.is_empty()).then_some(label);
                     let edit = set(id, definition, |changed| {
                         list(changed, is_output)[index].label = label;

@@ -5,7 +5,7 @@ mod roughness;
 
 use chiaro_locale::{Text, text, tr, tr_in, trn};
 use eframe::egui;
-use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use crate::catalog::{NodeKind, Port};
 use crate::commands::{Command, PanelId};
@@ -22,7 +22,9 @@ use crate::state::reading::{tier_label, tier_word};
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
+use crate::widgets::number::number_field;
 use crate::widgets::spots::{self, Spot};
+use crate::widgets::text::is_typed;
 use crate::widgets::text::{formed, in_lines};
 use crate::widgets::theme;
 
@@ -241,7 +243,7 @@ fn name_row(
                 .desired_width(f32::INFINITY)
                 .char_limit(80);
             let response = ui.add(edit).labelled_by(label);
-            if response.changed() {
+            if is_typed(ui, &response, &mut name) {
                 let edit = Edit::SetName {
                     graph: session.selection.graph_id().clone(),
                     id: (*id).clone(),
@@ -557,8 +559,11 @@ fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
             true => tr!(" step"),
             false => tr!(" steps"),
         };
-        let field =
-            DragValue::new(&mut steps).range(0.0..=STEPS).speed(0.05).max_decimals(2).suffix(unit);
+        let field = number_field(ui, &mut steps)
+            .range(0.0..=STEPS)
+            .speed(0.05)
+            .max_decimals(2)
+            .suffix(unit);
         let response = ui.add(field).labelled_by(label).on_hover_text(help);
         if response.changed() {
             let max_error = (steps / STEPS).clamp(0.0, 1.0);
@@ -588,7 +593,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let mut name = look.name.clone();
         let response =
             ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
-        if response.changed() {
+        if is_typed(ui, &response, &mut name) {
             out.push(Command::EditHeld(response.id, Edit::SetLookName { name }));
         }
     });
@@ -616,7 +621,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             let field =
                 TextEdit::singleline(&mut tags).desired_width(f32::INFINITY).char_limit(200);
             let response = ui.add(field).labelled_by(label);
-            if response.changed() {
+            if is_typed(ui, &response, &mut tags) {
                 out.push(Command::EditHeld(response.id, Edit::SetLookTags { tags }));
             }
         },

@@ -6,12 +6,13 @@ use eframe::egui::{Button, Ui};
 use super::row::title_of;
 use super::select;
 use crate::commands::{Command, MaskCommand};
-use crate::document::{Edit, GraphId, Value};
+use crate::document::{Edit, GraphId, Target, Value};
 use crate::ids::{NodeId, NodePath, PortName};
+use crate::state::masks::IMAGE;
 use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
 use crate::state::stack::Stack;
-use crate::state::stack::mask::{self, INVERTED, SOURCES};
+use crate::state::stack::mask::{self, INVERTED, SOURCES, VERTEX_COLOR};
 use crate::state::stack::tree::LayerTree;
 
 /// Shows the entries that mask a layer, or that change the mask which it has.
@@ -146,7 +147,17 @@ fn sources(
     for source in &SOURCES {
         if ui.button(source.name.tr()).on_hover_text(source.help.tr()).clicked() {
             let around = sphere_of_lights(session.open_scene());
-            add(session, stack.mask(look, layer, (source, around)), out);
+            let (mask, edit) = stack.mask(look, layer, (source, around));
+            let image = node_added(&edit, IMAGE).cloned();
+            let reads_colors = node_added(&edit, VERTEX_COLOR).is_some();
+            // A picture is what is to be chosen next.
+            add(session, (image.clone().unwrap_or(mask), edit), out);
+            if let Some(node) = image.map(NodePath::root) {
+                out.push(Command::AskImage(Target::Input { node, port: PortName::new(IMAGE) }));
+            }
+            if reads_colors {
+                out.push(Command::Mask(MaskCommand::CheckColors));
+            }
         }
     }
     let coverages = tree.coverages(look, &session.project.catalog, layer);
@@ -182,7 +193,16 @@ pub(super) fn toggle_clip(
     }
 }
 
-/// Adds a mask, and selects it.
+/// The first node of a kind that an edit adds.
+fn node_added<'e>(edit: &'e Edit, kind: &str) -> Option<&'e NodeId> {
+    match edit {
+        Edit::Group { edits } => edits.iter().find_map(|edit| node_added(edit, kind)),
+        Edit::AddNode { id, node, .. } => (node.kind == kind).then_some(id),
+        _ => None,
+    }
+}
+
+/// Adds a mask, and selects a node of it.
 fn add(session: &Session, (mask, edit): (NodeId, Edit), out: &mut Vec<Command>) {
     out.push(Command::Edit(edit));
     select(session, vec![mask], out);

@@ -1,10 +1,9 @@
 //! Row of the stack of layers.
 
 use chiaro_locale::{Text, text, tr, tr_in};
-use eframe::egui;
 use eframe::egui::{
-    Align, Color32, ComboBox, DragValue, Id, Label, Layout, Rect, Response, RichText, Role, Sense,
-    Slider, TextureId, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Align, Color32, ComboBox, Id, Label, Layout, Rect, Response, RichText, Role, Sense, TextureId,
+    Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use super::super::thumbs::ThumbObject;
@@ -19,6 +18,7 @@ use crate::state::session::Session;
 use crate::state::stack::mask::{self, OPACITY};
 use crate::state::stack::tree::{ISOLATED, LayerTree, TreeRow};
 use crate::values;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::rows::{ICON, Icon, NameEdit, card_ground, icon, picture_frame, whole};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
@@ -564,13 +564,11 @@ impl Row<'_> {
         let mut percent = values::number(self.session.keys().value_at(&target).as_ref()) * 100.0;
         ui.spacing_mut().slider_width = (ui.available_width() - NUMBER - 6.0).max(20.0);
         let has_slider = ui.available_width() > NUMBER + 36.0;
-        let slider = Slider::new(&mut percent, 0.0..=100.0)
-            .clamping(egui::SliderClamping::Edits)
-            .show_value(false);
+        let slider = number_slider(ui, &mut percent, 0.0..=100.0).show_value(false);
         let name = tr!("Opacity of {title}");
         let on_slider = has_slider
             .then(|| ui.add(slider.trailing_fill(true)).on_hover_text(tr_in("node", &port.help)));
-        let drag = DragValue::new(&mut percent).range(0.0..=100.0).clamp_existing_to_range(false);
+        let drag = number_field(ui, &mut percent).range(0.0..=100.0).clamp_existing_to_range(false);
         let drag = drag.max_decimals(0).suffix("%").speed(0.5);
         let on_number =
             ui.add_sized(vec2(NUMBER, 20.0), drag).on_hover_text(tr_in("node", &port.help));

@@ -2,9 +2,7 @@
 
 use chiaro_locale::{Text, text, tr};
 use eframe::egui;
-use eframe::egui::{
-    Color32, ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::{Color32, ComboBox, Id, Pos2, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 use crate::commands::Command;
 use crate::document::{ColorSpace, Light, LightField, LightKind, LightQuantity, LightSpace, Value};
@@ -15,6 +13,7 @@ use crate::ids::{LightGroup, ObjectId, is_slug, make_slug};
 use crate::library::Type;
 use crate::state::session::Session;
 use crate::widgets::color;
+use crate::widgets::number::{self, number_field, number_field_as, number_slider};
 use crate::widgets::text;
 use crate::widgets::theme;
 
@@ -184,7 +183,7 @@ fn rgb(ui: &mut Ui, label: Id, color: &mut [f64; 3], space: ColorSpace) -> Optio
 /// Shows a factor from 0 on; a factor that is not finite becomes that of a new light.
 fn factor(ui: &mut Ui, label: Id, factor: &mut f64, most: f64, normal: f64) -> Option<Id> {
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
-    let slider = Slider::new(factor, 0.0..=most.min(MOST_BY_SLIDER));
+    let slider = number_slider(ui, factor, 0.0..=most.min(MOST_BY_SLIDER));
     let slider = slider.clamping(egui::SliderClamping::Never).max_decimals(3);
     let response = ui.add(slider).labelled_by(label);
     *factor = if factor.is_finite() { factor.max(0.0) } else { normal };
@@ -195,20 +194,20 @@ fn factor(ui: &mut Ui, label: Id, factor: &mut f64, most: f64, normal: f64) -> O
 fn distance(ui: &mut Ui, label: Id, field: LightField, length: &mut f64) -> Option<Id> {
     let [least, most] = field.range().unwrap_or([0.0, f64::MAX]);
     let mut new = *length;
-    let drag = DragValue::new(&mut new)
+    let write = |length, decimals| match length {
+        0.0 => OFF.tr().to_owned(),
+        _ => egui::emath::format_with_decimals_in_range(length, decimals),
+    };
+    let read = |text: &str| match text.trim() {
+        text if text.eq_ignore_ascii_case(OFF.english()) => Some(0.0),
+        text if text.to_lowercase() == OFF.tr().to_lowercase() => Some(0.0),
+        text => number::read(text),
+    };
+    let drag = number_field_as(ui, &mut new, write, read)
         .range(least..=most)
         .clamp_existing_to_range(false)
         .speed(0.02)
-        .max_decimals(3)
-        .custom_formatter(|length, decimals| match length {
-            0.0 => OFF.tr().to_owned(),
-            _ => egui::emath::format_with_decimals_in_range(length, decimals),
-        })
-        .custom_parser(|text| match text.trim() {
-            text if text.eq_ignore_ascii_case(OFF.english()) => Some(0.0),
-            text if text.to_lowercase() == OFF.tr().to_lowercase() => Some(0.0),
-            text => text.parse().ok(),
-        });
+        .max_decimals(3);
     let response = ui.add_sized([66.0, ui.spacing().interact_size.y], drag).labelled_by(label);
     let is_changed = response.changed() && new.is_finite();
     if is_changed {
@@ -283,7 +282,7 @@ fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {
     ui.spacing_mut().item_spacing.x = 3.0;
     ui.spacing_mut().button_padding.x = 3.0;
     for (number, axis) in numbers.iter_mut().zip(["x ", "y ", "z "]) {
-        let drag = DragValue::new(number).speed(0.01).max_decimals(3).prefix(axis);
+        let drag = number_field(ui, number).speed(0.01).max_decimals(3).prefix(axis);
         let response = ui.add(drag).labelled_by(label);
         if response.changed() {
             widget = Some(response.id);
@@ -299,8 +298,7 @@ fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
     let mut degrees = radians.to_degrees();
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
     // Without the pointer on it a slider must not touch the value, not even to round it.
-    let slider =
-        Slider::new(&mut degrees, 0.0..=max.to_degrees()).clamping(egui::SliderClamping::Edits);
+    let slider = number_slider(ui, &mut degrees, 0.0..=max.to_degrees());
     let response = ui.add(slider.suffix("°").max_decimals(1)).labelled_by(label);
     if response.changed() {
         *radians = degrees.to_radians();

@@ -2,13 +2,14 @@
 //! or soloed.
 
 use chiaro_locale::tr;
-use eframe::egui::{Align, DragValue, Id, Label, Layout, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Align, Id, Label, Layout, RichText, Role, Ui, WidgetInfo};
 
 use crate::commands::{Command, SceneCommand};
 use crate::document::{ColorSpace, GroupMaster, MAX_EXPOSURE, SetTerm};
 use crate::fields::mix::SceneMix;
 use crate::ids::{LightGroup, LightId};
 use crate::widgets::color;
+use crate::widgets::number::number_field;
 use crate::widgets::rows::ICON;
 use crate::widgets::theme;
 
@@ -85,13 +86,13 @@ fn values(ui: &mut Ui, name: &str, new: &mut GroupMaster, space: ColorSpace) -> 
     }
     // The name comes before the exposure, which the mixer has, too.
     if ui.available_width() > EXPOSED {
-        let exposure = DragValue::new(&mut new.exposure).suffix(" EV").speed(0.02);
+        let exposure = number_field(ui, &mut new.exposure).suffix(" EV").speed(0.02);
         let response = ui.add(exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
         let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
         response.widget_info(|| number(tr!("Exposure of group {name}"), new.exposure));
         widget = widget.or(response.changed().then_some(response.id));
     }
-    let intensity = DragValue::new(&mut new.intensity).prefix("×").speed(0.01);
+    let intensity = number_field(ui, &mut new.intensity).prefix("×").speed(0.01);
     let response = ui.add(intensity.range(0.0..=1e6).max_decimals(2));
     let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
     response.widget_info(|| number(tr!("Intensity of group {name}"), new.intensity));

@@ -11,8 +11,8 @@ use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
-    Align, Button, DragValue, Id, Label, Layout, Popup, Rect, RichText, Role, ScrollArea, Sense,
-    Ui, WidgetInfo, vec2,
+    Align, Button, Id, Label, Layout, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui,
+    WidgetInfo, vec2,
 };
 
 use crate::commands::{Command, LibraryCommand, PanelId};
@@ -31,6 +31,7 @@ use crate::state::session::Session;
 use crate::values;
 use crate::viewport::solo_bar;
 use crate::widgets::color;
+use crate::widgets::number::number_field;
 use crate::widgets::rows::{ICON, Icon, NameEdit, icon};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -439,7 +440,7 @@ fn tint(
 fn intensity(ui: &mut Ui, session: &Session, owned_light: &OwnedLight<'_>, out: &mut Vec<Command>) {
     let light = &owned_light.as_set(session);
     let mut value = light.intensity;
-    let drag = DragValue::new(&mut value)
+    let drag = number_field(ui, &mut value)
         .prefix("×")
         .speed(0.01)
         .range(0.0..=f64::MAX)

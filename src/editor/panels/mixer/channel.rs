@@ -3,8 +3,8 @@
 use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
-    Align2, DragValue, FontId, Frame, Label, Margin, Rect, RichText, Role, Sense, Slider, Stroke,
-    Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
+    Align2, FontId, Frame, Label, Margin, Rect, RichText, Role, Sense, Stroke, Ui, UiBuilder, Vec2,
+    WidgetInfo, pos2, vec2,
 };
 
 use crate::commands::{Command, SceneCommand};
@@ -14,6 +14,7 @@ use crate::fields::shot;
 use crate::ids::LightGroup;
 use crate::state::session::Session;
 use crate::widgets::color;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::theme;
 
 /// Size of the mark of what a shot changes, in points.
@@ -141,7 +142,7 @@ fn slide(ui: &mut Ui, name: &str, master: &mut GroupMaster, height: f32) -> Opti
     ui.scope_builder(UiBuilder::new().max_rect(rail), |ui| {
         ui.spacing_mut().slider_width = height;
         let mut place = place_of(master.intensity);
-        let slider = Slider::new(&mut place, 0.0..=1.0).vertical().show_value(false);
+        let slider = number_slider(ui, &mut place, 0.0..=1.0).vertical().show_value(false);
         let response = ui.add(slider);
         let label = tr!("Fader of group {name}");
         response.widget_info(|| WidgetInfo::slider(true, master.intensity, &label));
@@ -186,12 +187,12 @@ fn marks(ui: &Ui, rect: Rect) {
 /// Shows the intensity and the exposure as numbers. Returns the id of the widget that changed one.
 fn numbers(ui: &mut Ui, name: &str, master: &mut GroupMaster) -> Option<egui::Id> {
     let size = vec2(ui.available_width(), 18.0);
-    let intensity = DragValue::new(&mut master.intensity).prefix("×").speed(0.01);
+    let intensity = number_field(ui, &mut master.intensity).prefix("×").speed(0.01);
     let response = ui.add_sized(size, intensity.range(0.0..=1e6).max_decimals(3));
     let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
     response.widget_info(|| number(tr!("Intensity of group {name}"), master.intensity));
     let by_intensity = response.changed().then_some(response.id);
-    let exposure = DragValue::new(&mut master.exposure).suffix(" EV").speed(0.02);
+    let exposure = number_field(ui, &mut master.exposure).suffix(" EV").speed(0.02);
     let response = ui.add_sized(size, exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
     let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
     response.widget_info(|| number(tr!("Exposure of group {name}"), master.exposure));

@@ -2,7 +2,7 @@
 
 use chiaro_locale::tr;
 use eframe::egui;
-use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui};
+use eframe::egui::{Checkbox, ComboBox, Id, RichText, Ui};
 
 use crate::commands::{Command, FilePurpose, SceneCommand, ViewCommand, table};
 use crate::document::{Object, Transform};
@@ -17,6 +17,7 @@ use crate::state::scene::{
 use crate::state::session::Session;
 use crate::state::variations::VariedSubject;
 use crate::state::view::TransformPart;
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 /// Smallest scale: at 0 an object vanishes.
@@ -335,7 +336,7 @@ fn number(
     prefix: &str,
 ) -> egui::Response {
     let before = *number;
-    let drag = DragValue::new(number).speed(speed).max_decimals(3).prefix(prefix).suffix(suffix);
+    let drag = number_field(ui, number).speed(speed).max_decimals(3).prefix(prefix).suffix(suffix);
     let response = ui.add(drag);
     if !number.is_finite() {
         *number = before;

@@ -2,7 +2,7 @@
 //! picture.
 
 use chiaro_locale::tr;
-use eframe::egui::{ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{ComboBox, RichText, Role, Ui, WidgetInfo};
 
 use super::details::Fields;
 use crate::commands::{Command, SceneCommand};
@@ -10,6 +10,7 @@ use crate::document::{FileCamera, MeshAnimation, SceneEdit};
 use crate::fields::{row, shot};
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 /// Fields of an animation, by which a shot changes it.
@@ -51,14 +52,14 @@ pub(super) fn animation(ui: &mut Ui, fields: &mut Fields<'_>) {
     if let Some(animation) = &mut new {
         let help = tr!("Seconds of the animation in a second of the scene; below 0 backwards");
         fields.row(ui, (tr!("Speed"), help), &ANIMATION[1..2], |ui, _| {
-            let drag = DragValue::new(&mut animation.speed).speed(0.01).range(-1000.0..=1000.0);
+            let drag = number_field(ui, &mut animation.speed).speed(0.01).range(-1000.0..=1000.0);
             let response = ui.add(drag.max_decimals(3).suffix(" ×"));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Speed")));
             widget = Some(response.id).filter(|_| response.changed()).or(widget);
         });
         let help = tr!("The time in the animation at the scene's time 0, in seconds");
         fields.row(ui, (tr!("Offset"), help), &ANIMATION[2..], |ui, _| {
-            let drag = DragValue::new(&mut animation.offset).speed(0.02);
+            let drag = number_field(ui, &mut animation.offset).speed(0.02);
             let response = ui.add(drag.max_decimals(3).suffix(" s"));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Offset")));
             widget = Some(response.id).filter(|_| response.changed()).or(widget);

@@ -1,13 +1,14 @@
 //! Lines over the whole picture, which a scene draws after the looks.
 
 use chiaro_locale::{Text, text, tr};
-use eframe::egui::{Id, RichText, Slider, Ui};
+use eframe::egui::{Id, RichText, Ui};
 
 use crate::commands::{Command, SceneCommand};
 use crate::document::{ColorSpace, Scene, SceneEdit, SceneOutlines};
 use crate::fields::{row, shot};
 use crate::state::session::Session;
 use crate::widgets::color;
+use crate::widgets::number::number_slider;
 use crate::widgets::theme;
 
 /// Room for a slider's number, in points.
@@ -127,7 +128,7 @@ impl Edit<'_> {
         let mut changed = None;
         self.row(ui, named, field, |ui, label| {
             ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(40.0);
-            let slider = Slider::new(number, range).max_decimals(2);
+            let slider = number_slider(ui, number, range).max_decimals(2);
             let response = ui.add(slider).labelled_by(label);
             if !number.is_finite() {
                 *number = before;

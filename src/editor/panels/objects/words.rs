@@ -10,6 +10,7 @@ use crate::fields::row::labelled;
 use crate::fields::shot::{self, ChangedValue};
 use crate::state::keying::Owner;
 use crate::state::session::Session;
+use crate::widgets::text::is_typed;
 
 /// Shows all fields, in a collapsible section.
 pub(super) fn show(
@@ -27,7 +28,7 @@ pub(super) fn show(
             let response = ui
                 .add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY))
                 .labelled_by(label);
-            if response.changed() {
+            if is_typed(ui, &response, &mut name) {
                 out.push(SceneCommand::EditHeld(response.id, SceneEdit::SetSceneName { name }));
             }
         });

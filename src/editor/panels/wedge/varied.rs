@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
 use eframe::egui::{
-    self, Button, CollapsingHeader, DragValue, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
+    self, Button, CollapsingHeader, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
 
 use crate::clock::Clock;
@@ -22,7 +22,9 @@ use crate::state::runs::{
 use crate::state::session::Session;
 use crate::state::wedge::free_sheet;
 use crate::widgets::color;
+use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 
 /// Folder of sheets, beside the document.
@@ -295,6 +297,7 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
             let target = varied.target.clone();
             let width = (ui.available_width() - 30.0).max(60.0);
             let field = ui.add(TextEdit::singleline(&mut varied.target).desired_width(width));
+            is_typed(ui, &field, &mut varied.target);
             field.widget_info(|| {
                 WidgetInfo::labeled(
                     Role::TextInput,
@@ -345,7 +348,7 @@ fn numbers(ui: &mut Ui, target: &str, ends: [&mut f64; 2], count: &mut u32, is_a
     for (value, name) in ends.into_iter().zip([tr!("from"), tr!("to")]) {
         ui.label(RichText::new(name).color(theme::of(ui).dim));
         let mut shown = *value * scale;
-        let drag = DragValue::new(&mut shown).speed(0.01 * scale).max_decimals(3).suffix(suffix);
+        let drag = number_field(ui, &mut shown).speed(0.01 * scale).max_decimals(3).suffix(suffix);
         let response = ui.add(drag);
         response.widget_info(|| {
             WidgetInfo::labeled(Role::SpinButton, true, format!("{target} {name}"))
@@ -354,7 +357,7 @@ fn numbers(ui: &mut Ui, target: &str, ends: [&mut f64; 2], count: &mut u32, is_a
             *value = (shown / scale * 1e6).round() / 1e6;
         }
     }
-    let drag = DragValue::new(count).range(1..=480).speed(0.05).suffix(tr!(" values"));
+    let drag = number_field(ui, count).range(1..=480).speed(0.05).suffix(tr!(" values"));
     let response = ui.add(drag);
     response.widget_info(|| {
         WidgetInfo::labeled(Role::SpinButton, true, tr!("Number of values of {target}"))

@@ -102,13 +102,13 @@ fn lead(track: Track<'_>, keys: &mut [TimeKey], [new, end]: [usize; 2], is_first
         _ => return,
     };
     let start = new.min(end);
-    let is_cubic = keys[start].interpolation == TimeInterpolation::Bezier;
+    let is_cubic = keys[start].interpolation == TimeInterpolation::Bezier && !track.turns;
     let third = (keys[new].time - keys[end].time) / 3.0;
     let toward = |third: f64| -> Vec<[f64; 2]> {
         let slopes = slopes.iter().flatten();
         slopes.map(|slope| [third, slope * third]).collect()
     };
-    if slopes.is_some() && !(is_cubic && !track.turns) {
+    if slopes.is_some() && !is_cubic {
         keys[start].interpolation = TimeInterpolation::Linear;
         return;
     }
@@ -220,6 +220,26 @@ mod tests {
                     let change = change(track, time);
                     assert!(change < 1e-9, "{change} by a key at {time} in {number}, {side:?}");
                 }
+            }
+        }
+    }
+
+    /// A light that falls from frame 1 to 24 by two keys with automatic handles, keyed at 11.
+    #[test]
+    fn a_key_between_the_only_two_bends_nothing() {
+        let fall: [(f64, &[f64]); 2] = [(1.0, &[1.0]), (24.0, &[0.5])];
+        for scale in [1.0, 1.0 / 24.0] {
+            let in_time = fall.map(|(frame, numbers)| (frame * scale, numbers));
+            let keys = keys(TimeInterpolation::Bezier, &in_time);
+            let track = Track { keys: &keys, ends: TrackEnds::default(), turns: false };
+            let with = with_key(track, 11.0 * scale).unwrap();
+            let after = Track { keys: &with, ..track };
+            for frame in 1..=24 {
+                let [a, b] = [track, after].map(|of| of.at(f64::from(frame) * scale));
+                let (Some(Value::Vector(a)), Some(Value::Vector(b))) = (a, b) else {
+                    panic!("no number at frame {frame}")
+                };
+                assert!((a[0] - b[0]).abs() < 1e-9, "{} became {} at {frame}", a[0], b[0]);
             }
         }
     }

@@ -5,9 +5,10 @@
 //! one a part of a graph, which may have lights and groups along. The content alone says what a
 //! part is; see `docs/format.md`. `reader` reads the folders on a thread, `saving` makes parts from
 //! a look, `upkeep` renames, replaces and removes them, `placing` puts them into one, with `lights`
-//! that do the work of theirs there.
+//! that do the work of theirs there, and `pictures` takes their pictures along.
 
 mod lights;
+pub(crate) mod pictures;
 pub(crate) mod placing;
 mod reader;
 pub(crate) mod saving;

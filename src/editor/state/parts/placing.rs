@@ -1,8 +1,6 @@
 //! Placement of parts in a look: the edit, and the sentence on what was copied, what the look had
 //! already, and what was renamed. Nothing is copied in silence.
 
-use std::path::Path;
-
 use chiaro_locale::tr;
 use indexmap::IndexMap;
 
@@ -419,40 +417,6 @@ fn along(to: Recipient<'_>, lit: &LitPart) -> String {
         .collect();
     tell(|names| tr!("lacks here: the node {names}"), lacks);
     told
-}
-
-/// Names the files of a look's images, which are named from one folder, as seen from another.
-/// Returns the files.
-pub(crate) fn rebase(
-    look: &mut Look,
-    catalog: &Catalog,
-    from: &Path,
-    folder: Option<&Path>,
-) -> Vec<String> {
-    let mut files = Vec::new();
-    let groups = look.definitions.values_mut().map(|definition| &mut definition.graph);
-    let graphs = std::iter::once(&mut look.graph).chain(groups);
-    for node in graphs.flat_map(|graph| graph.nodes.values_mut()) {
-        let Some(kind) = catalog.of(node).cloned() else { continue };
-        for (port, value) in &mut node.values {
-            let input = kind.input(port.as_str()).map(|index| &kind.inputs[index].ty);
-            let is_file = matches!(input, Some(Type::Image | Type::Hcbtf));
-            let Value::Text(path) = value else { continue };
-            let is_inside =
-                path.is_empty() || path.contains("example:") || path.starts_with("mesh:");
-            if !is_file || is_inside {
-                continue;
-            }
-            let whole = from.join(&*path);
-            *path = match folder {
-                Some(folder) => crate::files::relative(folder, &whole),
-                None => whole.to_string_lossy().into_owned(),
-            };
-            files.push(whole.file_name().unwrap_or_default().to_string_lossy().into_owned());
-        }
-    }
-    files.dedup();
-    files
 }
 
 /// Look on which a part is shown; `None` where there is nothing to see.

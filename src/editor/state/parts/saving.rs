@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use chiaro_locale::{tr, trn};
 
-use super::placing::rebase;
+use super::pictures::{MovedPictures, PictureRoute};
 use super::{PROFILE, PartKind};
 use crate::catalog::{Catalog, values};
 use crate::document::{Graph, Look, Node, Target, Value, grouping};
@@ -281,7 +281,8 @@ pub(crate) fn save(
     Ok((path, told.join(" · ")))
 }
 
-/// Writes a part to a file, in place of what is there. Returns what was done, saving first.
+/// Writes a part to a file, in place of what is there, and its own pictures beside it. Returns what
+/// was done, saving first.
 pub(super) fn write(
     draft: &PartDraft,
     path: &Path,
@@ -291,14 +292,25 @@ pub(super) fn write(
     let name = named(draft)?;
     let mut look = draft.look.clone();
     look.name = name.to_owned();
-    let files = match from {
-        Some(from) => rebase(&mut look, catalog, from, path.parent()),
-        None => Vec::new(),
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let moved = match from {
+        Some(from) => {
+            let route = PictureRoute { from, to: Some(folder), takes_equal: true };
+            route.rename(&mut look, catalog)
+        }
+        None => MovedPictures::default(),
     };
+    for picture in &moved.copied {
+        let file = folder.join(&picture.name);
+        write_atomic(&file, &picture.bytes).map_err(|problem| problem.message)?;
+    }
     write_atomic(path, look.to_text().as_bytes()).map_err(|problem| problem.message)?;
     let mut told = vec![draft.kind.saved(name, path)];
-    if !files.is_empty() {
-        told.push(tr!("linked, not copied: {files}", files = files.join(", ")));
+    if !moved.along.is_empty() {
+        told.push(tr!("copied beside it: {files}", files = moved.along.join(", ")));
+    }
+    if !moved.linked.is_empty() {
+        told.push(tr!("linked, not copied: {files}", files = moved.linked.join(", ")));
     }
     Ok(told)
 }

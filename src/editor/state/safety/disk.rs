@@ -221,8 +221,12 @@ impl DiskState {
             let new = session.assets.source().metadata(path);
             if *old != new {
                 *old = new;
+                // What the window wrote itself is drawn already.
+                if session.pictures.is_own(path, new) {
+                    continue;
+                }
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
-                changed = Some(match old {
+                changed = Some(match new {
                     Some(_) => tr!("{name} was loaded again"),
                     None => tr!("{name} is not there any more"),
                 });

@@ -13,6 +13,7 @@ use crate::files::journal::{
     JournalDocument, JournalSlot, RecoveredDocument, RecoveredWork, left_behind, recover_any,
 };
 use crate::files::read_text;
+use crate::state::scene::real;
 use crate::state::session::Session;
 
 /// Age from which the journal of a saved look is discarded: nobody wants to undo steps that old.
@@ -252,10 +253,11 @@ impl Offers {
     /// with `is_saved` the past of a saved look, else unsaved work of a window that was closed, or
     /// with `is_aside` of any window.
     pub(crate) fn of_file(&self, path: &Path, is_saved: bool, is_aside: bool) -> Option<usize> {
-        let path = std::path::absolute(path).ok()?;
+        let path = real(path);
         let is_it = |offer: &Offer| {
             let is_free = is_saved || offer.is_closed || is_aside;
-            let is_of_it = offer.path.as_ref() == Some(&path) && !offer.is_painting;
+            let is_of_it = offer.path.as_deref().map(real).as_ref() == Some(&path);
+            let is_of_it = is_of_it && !offer.is_painting;
             is_of_it && offer.is_saved == is_saved && is_free
         };
         let number = self.all.iter().position(is_it)?;

@@ -41,6 +41,7 @@ use crate::state::masks::MaskSteps;
 use crate::state::orbit::Orbit;
 use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
+use crate::state::pictures::OwnPictures;
 use crate::state::reading::LookWithLibrary;
 use crate::state::revision::{GestureId, LookRevision, StepTime};
 use crate::state::scene::OpenScene;
@@ -66,6 +67,8 @@ pub struct Session {
     pub(crate) sketchbook: Sketchbook,
     /// Steps of masks that are painted on the mesh.
     pub(crate) masks: MaskSteps,
+    /// Pictures that were written beside looks.
+    pub(crate) pictures: OwnPictures,
     /// Snapshots of the look.
     shelf: SnapshotShelf,
     /// Notes about the open documents that were read.
@@ -112,6 +115,7 @@ impl Session {
             hides_painting: false,
             sketchbook: Sketchbook::default(),
             masks: MaskSteps::default(),
+            pictures: OwnPictures::default(),
             shelf: SnapshotShelf::default(),
             read_notes: HashSet::new(),
             named_steps: BTreeMap::new(),
@@ -216,6 +220,11 @@ impl Session {
             self.rename_painting(&from, &to);
         }
         self.look.history.mark_saved();
+        self.pictures.settle();
+        if !is_own {
+            // The masks are the old file's, too: what undo wrote there would change that look.
+            self.masks = MaskSteps::default();
+        }
         self.revisions.problems.advance();
         if !is_own && self.open_scene.is_some() {
             // While the scene still knows the look by its old name.
@@ -236,6 +245,7 @@ impl Session {
         self.set_preview(None);
         self.sketchbook.put_aside(&self.look);
         self.masks = MaskSteps::default();
+        self.pictures.settle();
         self.remember_times();
         self.look.file = TextFile::new(source);
         self.look.path = path;
@@ -499,6 +509,7 @@ impl Session {
         let before = self.look.history.picture_revision();
         let did = self.look.undo();
         if did {
+            self.bring_pictures_along();
             self.was_edited(before, true);
         }
         did
@@ -512,6 +523,7 @@ impl Session {
             if let Some(label) = next.and_then(|time| self.named_steps.remove(&time)) {
                 self.named_steps.insert(now, label);
             }
+            self.bring_pictures_along();
             self.was_edited(before, true);
         }
         did

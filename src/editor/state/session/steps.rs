@@ -41,8 +41,8 @@ pub struct Steps<'a> {
     pub(super) painting: Option<&'a OpenPainting>,
     /// The sketch, where it is shown.
     pub(super) sketch: Option<&'a Sketch>,
-    /// The strokes on masks, while masks are painted.
-    pub(super) masks: Option<&'a MaskSteps>,
+    /// The strokes on masks of the look.
+    pub(super) masks: &'a MaskSteps,
     /// Snapshots of the look.
     pub(super) shelf: &'a SnapshotShelf,
     /// Labels of steps of the look that their edits do not tell.
@@ -57,7 +57,7 @@ impl<'a> Steps<'a> {
         let of_painting = self.painting.and_then(|work| work.document.times.last());
         let of_sketch = self.sketch.and_then(|sketch| sketch.times.last());
         let of_shot = self.shot.and_then(|shot| shot.document.times.last());
-        let of_masks = self.masks.and_then(|masks| masks.times.last());
+        let of_masks = self.masks.times.last();
         let of_shelf = self.shelf.times.last();
         let others = of_look.max(of_scene).max(of_painting).max(of_sketch).max(of_shot);
         if of_masks.is_some() && of_masks > others.max(of_shelf) {
@@ -93,7 +93,7 @@ impl<'a> Steps<'a> {
             (self.shot.and_then(|shot| shot.document.times.next()), DocumentKind::Shot),
             (of_painting, DocumentKind::Painting),
             (of_sketch, DocumentKind::Sketch),
-            (self.masks.and_then(|masks| masks.times.next()), DocumentKind::Mask),
+            (self.masks.times.next(), DocumentKind::Mask),
             (self.shelf.times.next(), DocumentKind::Shelf),
         ];
         let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
@@ -123,7 +123,7 @@ impl<'a> Steps<'a> {
             DocumentKind::Shot => self.shot?.document.history.undo_label(),
             DocumentKind::Painting => self.painting?.history().undo_label(),
             DocumentKind::Sketch => self.sketch?.undo_label(),
-            DocumentKind::Mask => self.masks?.undo_label(),
+            DocumentKind::Mask => self.masks.undo_label(),
             DocumentKind::Shelf => self.shelf.undo_label(),
         }
     }
@@ -139,7 +139,7 @@ impl<'a> Steps<'a> {
             DocumentKind::Shot => self.shot?.document.history.redo_label(),
             DocumentKind::Painting => self.painting?.history().redo_label(),
             DocumentKind::Sketch => self.sketch?.redo_label(),
-            DocumentKind::Mask => self.masks?.redo_label(),
+            DocumentKind::Mask => self.masks.redo_label(),
             DocumentKind::Shelf => self.shelf.redo_label(),
         }
     }
@@ -166,10 +166,8 @@ impl<'a> Steps<'a> {
             let labels = sketch.labels().map(|label| -> &str { label });
             steps.extend(sketch.times.all().zip(labels));
         }
-        if let Some(masks) = self.masks {
-            let labels = masks.labels().map(|label| -> &str { label });
-            steps.extend(masks.times.all().zip(labels));
-        }
+        let of_masks = self.masks.labels().map(|label| -> &str { label });
+        steps.extend(self.masks.times.all().zip(of_masks));
         steps.extend(self.shelf.times.all().zip(self.shelf.labels()));
         steps.sort_by_key(|(time, _)| *time);
         // What look and scene did at once is one step.
@@ -183,7 +181,7 @@ impl<'a> Steps<'a> {
         let of_painting = self.painting.map_or(0, |work| work.history().place());
         let of_sketch = self.sketch.map_or(0, Sketch::place);
         let of_shot = self.shot.map_or(0, |shot| shot.document.history.place());
-        let of_masks = self.masks.map_or(0, MaskSteps::place);
+        let of_masks = self.masks.place();
         let all = self.look.history.place() + of_scene + of_shot + of_painting + of_sketch;
         all + of_masks + self.shelf.place() - self.joint()
     }
@@ -262,7 +260,7 @@ impl Session {
             shot: self.shot(),
             painting: self.painting.as_ref().filter(|_| !self.hides_painting),
             sketch: Some(&self.sketchbook.sketch).filter(|sketch| sketch.is_open),
-            masks: Some(&self.masks).filter(|masks| masks.is_open),
+            masks: &self.masks,
             shelf: &self.shelf,
             named: &self.named_steps,
         }
@@ -304,6 +302,7 @@ impl Session {
             }
             (DocumentKind::Shelf, ..) => {
                 let did = self.shelf.undo();
+                self.bring_pictures_along();
                 self.keep_shelf();
                 did
             }
@@ -348,6 +347,7 @@ impl Session {
             }
             (DocumentKind::Shelf, ..) => {
                 let did = self.shelf.redo(now);
+                self.bring_pictures_along();
                 self.keep_shelf();
                 did
             }

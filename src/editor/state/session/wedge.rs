@@ -373,7 +373,10 @@ mod tests {
         twice.undo();
         assert_eq!(*twice.look(), before);
         let fixed = cell("first/lit.light", Value::Text("key".to_owned()));
-        assert_eq!(twice.take_cell(&fixed, CellScope::AsKeyed).unwrap_err().code, "used-more-than-once");
+        assert_eq!(
+            twice.take_cell(&fixed, CellScope::AsKeyed).unwrap_err().code,
+            "used-more-than-once"
+        );
         assert_eq!(*twice.look(), before);
     }
 

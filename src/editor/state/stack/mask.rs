@@ -9,6 +9,7 @@ use super::tree::LayerTree;
 use super::{STEP, Stack};
 use crate::catalog::Catalog;
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire};
+use crate::drawing::{NODE_WIDTH, node_height};
 use crate::ids::{NodeId, PortName, make_slug};
 use crate::state::masks::{MaskLaying, StraightLaying};
 
@@ -17,6 +18,8 @@ const MASK: &str = "mask";
 pub(crate) const SHOWN: &str = "mask";
 pub(crate) const OPACITY: &str = "opacity";
 pub(crate) const INVERTED: &str = "inverted";
+/// Kind of the node that reads the colors of a mesh's points.
+pub(crate) const VERTEX_COLOR: &str = "vertex_color";
 /// Input of a plain layer that says where it is.
 const TONE: &str = "tone";
 /// Outputs of layers that say where they are.
@@ -26,6 +29,13 @@ const PRODUCT: &str = "multiply";
 const GREATEST: &str = "maximum";
 /// Distance of what feeds a mask from the layer, downward, in points.
 const DROP: f64 = 240.0;
+/// Step from row to row in which a free place is looked for, in points, and the number of steps.
+const STEP_DOWN: f64 = 60.0;
+const MOST_STEPS_DOWN: u32 = 200;
+/// Greatest numbers of rows of nodes that masks are made of, and of what else there is; the few
+/// that are larger may be overlapped.
+const MOST_ROWS: usize = 10;
+const MOST_ROWS_OF_OTHERS: usize = 22;
 
 /// Source of a mask that a menu offers.
 pub(crate) struct MaskSource {
@@ -96,7 +106,7 @@ pub(crate) static SOURCES: [MaskSource; 9] = [
     MaskSource {
         name: text!("Vertex colors"),
         help: text!("The brightness of the colors that were painted on the mesh's points"),
-        chain: &[SourceNode::of("vertex_color", ""), SourceNode::of("color_luminance", "color")],
+        chain: &[SourceNode::of(VERTEX_COLOR, ""), SourceNode::of("color_luminance", "color")],
         is_of_stack: false,
     },
     MaskSource {
@@ -499,6 +509,32 @@ impl<'a> MaskEdits<'a> {
         Endpoint::new(turned, "")
     }
 
+    /// Moves what was added down to where it lies over no other node.
+    fn move_to_free_row(&mut self) {
+        let places = self.edits.iter().filter_map(|edit| match edit {
+            Edit::AddNode { node, .. } => Some(node.position),
+            _ => None,
+        });
+        let places: Vec<[f64; 2]> = places.collect();
+        let (width, height) = (f64::from(NODE_WIDTH), |rows| f64::from(node_height(rows)));
+        let (own, other) = (height(MOST_ROWS), height(MOST_ROWS_OF_OTHERS));
+        let is_free = |down: &f64| {
+            self.look.graph.nodes.values().all(|node| {
+                let [x, y] = node.position;
+                places.iter().all(|[own_x, own_y]| {
+                    let top = own_y + down;
+                    (own_x - x).abs() >= width || y >= top + own || y + other <= top
+                })
+            })
+        };
+        let found = (0..MOST_STEPS_DOWN).map(|step| f64::from(step) * STEP_DOWN).find(is_free);
+        for edit in &mut self.edits {
+            if let Edit::AddNode { node, .. } = edit {
+                node.position[1] += found.unwrap_or_default();
+            }
+        }
+    }
+
     /// Adds the mask, with the opacity that the layer has.
     fn finish(mut self, from: Option<Endpoint>) -> (NodeId, Edit) {
         let own = self.look.graph.nodes.get(self.layer);
@@ -509,6 +545,7 @@ impl<'a> MaskEdits<'a> {
         }
         let layer = self.layer.clone();
         self.wire(Endpoint::new(mask.clone(), ""), &layer, OPACITY);
+        self.move_to_free_row();
         (mask, Edit::Group { edits: self.edits })
     }
 }
@@ -589,6 +626,39 @@ mod tests {
             assert_eq!(stack.layers.len(), 3, "{}: a mask is no layer", source.name);
             look.apply(stack.unmask(&look, &"b".into()).unwrap()).unwrap();
             assert_eq!(look, before, "{}", source.name);
+        }
+    }
+
+    #[test]
+    fn a_mask_lies_over_no_other_node() {
+        for source in &SOURCES {
+            let (mut look, catalog, tree) = setup();
+            // Nodes below the layers, where there was room once.
+            for (id, at) in [("first", [0.0, 300.0]), ("second", [-300.0, 520.0])] {
+                let node = Node { kind: "noise".to_owned(), position: at, ..Node::default() };
+                look.graph.nodes.insert(id.into(), node);
+            }
+            let before = look.clone();
+            let (_, edit) = tree.own().mask(&look, &"b".into(), (source, AROUND));
+            look.apply(edit).unwrap();
+            let sized = |(id, node): (&NodeId, &Node)| {
+                let kind = catalog.of(node).unwrap();
+                let [x, y] = node.position;
+                let height = f64::from(node_height(kind.inputs.len() + kind.outputs.len()));
+                (id.clone(), [x, y, x + f64::from(NODE_WIDTH), y + height])
+            };
+            let (old, new): (Vec<_>, Vec<_>) = look
+                .graph
+                .nodes
+                .iter()
+                .map(sized)
+                .partition(|(id, _)| before.graph.nodes.contains_key(id));
+            for (id, [left, top, right, bottom]) in &new {
+                for (other, [x0, y0, x1, y1]) in &old {
+                    let is_over = left < x1 && x0 < right && top < y1 && y0 < bottom;
+                    assert!(!is_over, "{}: {id} lies over {other}", source.name);
+                }
+            }
         }
     }
 

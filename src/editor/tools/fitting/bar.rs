@@ -1,7 +1,7 @@
 //! Controls of the brushes, above the picture.
 
 use chiaro_locale::tr;
-use eframe::egui::{self, DragValue, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{self, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::FitTool;
 use super::tools::SIZES;
@@ -9,6 +9,7 @@ use crate::commands::{Command, FitCommand, LightBrush, Switch};
 use crate::document::ColorSpace;
 use crate::widgets::color;
 use crate::widgets::icon::icon_toggle;
+use crate::widgets::number::number_field;
 
 /// Largest width of a field with its name, in points.
 const PERCENT: f32 = 110.0;
@@ -101,7 +102,7 @@ fn percent(
 ) {
     let mut shown = *value * 100.0;
     let range = range.start() * 100.0..=range.end() * 100.0;
-    let drag = DragValue::new(&mut shown).range(range).speed(0.5).max_decimals(0).suffix("%");
+    let drag = number_field(ui, &mut shown).range(range).speed(0.5).max_decimals(0).suffix("%");
     // Fields wrap in a narrow picture, each together with its name.
     if ui.available_size_before_wrap().x < PERCENT {
         ui.end_row();

@@ -286,6 +286,7 @@ fn why(problems: &[Diagnostic]) -> String {
 mod tests {
     use super::*;
     use crate::fit::KnobCounts;
+    use crate::tools::fitting::panel::percent_nearer;
 
     fn report(after: f64, rest: Option<f64>) -> FitReport {
         FitReport {
@@ -312,6 +313,13 @@ mod tests {
         assert!(is_nearer(&report(0.08, Some(0.05)), &shown));
         assert!(is_nearer(&report(0.1, Some(0.04)), &shown));
         assert!(!is_nearer(&report(0.1, None), &report(0.1, None)));
+    }
+
+    #[test]
+    fn what_a_fit_reached_is_told_in_percent() {
+        assert_eq!(percent_nearer(&report(0.06, None)), Some(80));
+        assert_eq!(percent_nearer(&report(0.28, None)), None, "hardly seen");
+        assert_eq!(percent_nearer(&FitReport { before: 0.0, ..report(0.0, None) }), Some(100));
     }
 
     #[test]

@@ -3,8 +3,7 @@
 use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{
-    Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
-    vec2,
+    Button, Color32, ProgressBar, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2,
 };
 
 use super::fit::FitOutcome;
@@ -16,11 +15,14 @@ use crate::ids::NodePath;
 use crate::state::problem_text::sentence;
 use crate::state::reading::LookWithLibrary;
 use crate::state::session::Session;
+use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
 /// Largest number of layers that can be fitted from nothing here.
 pub(super) const MOST_LAYERS: usize = 5;
+/// Least share of the error whose loss is told as a success, 0 to 1.
+const LEAST_SHARE: f64 = 0.2;
 
 impl FitTool {
     /// Shows the panel.
@@ -128,7 +130,7 @@ impl FitTool {
             );
             let label = ui.label(tr!("Keep the rest")).on_hover_text(help);
             let mut percent = self.how.keep_rest * 100.0;
-            let slider = Slider::new(&mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
+            let slider = number_slider(ui, &mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
             if ui.add(slider).labelled_by(label.id).on_hover_text(help).changed() {
                 self.how.keep_rest = percent / 100.0;
             }
@@ -141,17 +143,29 @@ impl FitTool {
         errors(ui, report);
         if outcome.applied.is_none() && report.is_far_off() {
             let advice = self.advice(outcome.what, report);
-            let text = match outcome.what {
-                FitGoal::Local => {
-                    tr!("Layers over the look found nothing nearer: Misses shows where it is off. \
-                         {advice}")
-                }
-                FitGoal::ThisLook | FitGoal::Layers(_) => tr!(
-                    "Turning {tried} found nothing nearer: Misses shows where it is off. {advice}",
-                    tried = told_of(&report.tried)
+            let colors = theme::of(ui);
+            let (text, ink) = match (percent_nearer(report), outcome.what) {
+                (Some(percent), _) => (
+                    tr!("{percent} % of the way. Misses shows where it is still off. {advice}"),
+                    colors.text,
+                ),
+                (None, FitGoal::Local) => (
+                    tr!(
+                        "Layers over the look found nothing nearer: Misses shows where it is off. \
+                         {advice}"
+                    ),
+                    colors.accent,
+                ),
+                (None, FitGoal::ThisLook | FitGoal::Layers(_)) => (
+                    tr!(
+                        "Turning {tried} found nothing nearer: Misses shows where it is off. \
+                         {advice}",
+                        tried = told_of(&report.tried)
+                    ),
+                    colors.accent,
                 ),
             };
-            ui.label(RichText::new(text).color(theme::of(ui).accent));
+            ui.label(RichText::new(text).color(ink));
         }
         choice(ui, outcome, out);
         changes(ui, report, session);
@@ -230,10 +244,16 @@ impl FitTool {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Layers(self.how.layers))));
             }
             let label = ui.label(tr!("at most"));
-            ui.add(DragValue::new(&mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
+            ui.add(number_field(ui, &mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
                 .labelled_by(label.id);
         });
     }
+}
+
+/// Share of the error that a fit took away, in percent; `None` for one that is hardly seen.
+pub(super) fn percent_nearer(report: &FitReport) -> Option<u32> {
+    let share = 1.0 - report.after / report.before.max(f64::MIN_POSITIVE);
+    (share >= LEAST_SHARE).then(|| (100.0 * share).floor() as u32)
 }
 
 /// Shows the errors before and after the fit.

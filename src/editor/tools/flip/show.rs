@@ -11,6 +11,7 @@ use crate::state::session::Session;
 use crate::tools::playback::paint::{fit, paint_exposed};
 use crate::tools::playback::{Playback, frame_at};
 use crate::tools::wipe::divider::{self, Corner};
+use crate::widgets::number::number_slider;
 use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
@@ -45,8 +46,8 @@ impl FlipBook {
                         .on_hover_text(help);
                 }
                 FlipView::Difference => {
-                    let slider = eframe::egui::Slider::new(&mut self.stops, 0..=MOST_STOPS)
-                        .suffix(tr!(" stops"));
+                    let slider =
+                        number_slider(ui, &mut self.stops, 0..=MOST_STOPS).suffix(tr!(" stops"));
                     let response =
                         ui.add(slider).on_hover_text(tr!("Brightness of the difference"));
                     let stops = f64::from(self.stops);

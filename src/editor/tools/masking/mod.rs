@@ -5,10 +5,11 @@ mod project;
 mod work;
 
 use std::collections::VecDeque;
+use std::path::PathBuf;
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Color32, CursorIcon, DragValue, Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Shape,
+    Color32, CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, RichText, Role, Shape,
     Stroke, Ui, WidgetInfo,
 };
 use glam::DVec2;
@@ -17,15 +18,16 @@ use super::notice::over_top;
 use crate::commands::{Command, MaskCommand};
 use crate::frame::Assets;
 use crate::ids::NodeId;
-use crate::state::masks::{file_of, painted_of};
+use crate::state::masks::{MaskStep, file_of, painted_of};
 use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 use project::MaskStroke;
-pub(crate) use work::laying;
 use work::{MaskAnswer, MaskChange, MaskRequest};
+pub(crate) use work::{lacks_colors, laying};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Options,
@@ -47,6 +49,8 @@ pub(crate) struct MaskTool {
     worker: Worker<MaskRequest, MaskAnswer>,
     /// Layer whose mask is painted; `None` while the tool is off.
     layer: Option<NodeId>,
+    /// Files of the look and of the mask that painting last began with.
+    begun: Option<[PathBuf; 2]>,
     /// Diameter of the brush, in points.
     size: f32,
     /// Part of the brush that covers wholly, in percent.
@@ -68,6 +72,7 @@ impl MaskTool {
         Self {
             worker: Worker::new("mask", wake, move |request| work::carry_out(&mut assets, request)),
             layer: None,
+            begun: None,
             size: 48.0,
             hardness: 70.0,
             shows: true,
@@ -84,7 +89,10 @@ impl MaskTool {
     }
 
     /// Begins to paint the mask of a layer, or ends painting.
-    pub(crate) fn turn(&mut self, layer: Option<NodeId>) {
+    pub(crate) fn turn(&mut self, layer: Option<NodeId>, session: &Session) {
+        if let Some(layer) = &layer {
+            self.begun = files_of(session, layer);
+        }
         self.layer = layer;
         (self.stroke, self.told) = (None, None);
         self.waiting.clear();
@@ -98,8 +106,16 @@ impl MaskTool {
     fn interact(&mut self, ui: &Ui, context: &PictureContext<'_>) -> Option<Command> {
         let PictureContext { session, response, rect, .. } = *context;
         let answer = self.worker.answers().pop();
-        let layer = self.layer.clone()?;
-        if session.mask_file(&layer).is_none() {
+        let Some(layer) = self.layer.clone() else {
+            // A stroke that was under way when painting ended.
+            let [look, mask] = self.begun.as_ref()?;
+            let is_open = |step: &MaskStep| session.path() == Some(look) && step.file == *mask;
+            let step = answer?.ok().filter(is_open)?;
+            return Some(Command::Mask(MaskCommand::Keep(step)));
+        };
+        // Another file may be somebody else's: painting it begins anew.
+        let files = files_of(session, &layer);
+        if files.is_none() || files != self.begun {
             return Some(Command::Mask(MaskCommand::Leave));
         }
         let step = match answer {
@@ -151,7 +167,6 @@ impl MaskTool {
             }));
             ui.request_repaint();
         }
-        let told = self.told.as_ref().map(|told| format!("{told} · ")).unwrap_or_default();
         let hint = match self.shows {
             true => tr!(
                 "Drag on the model: the brush shows the layer, with Ctrl the other way · Alt turns \
@@ -162,7 +177,7 @@ impl MaskTool {
                  the view · [ and ] change the size, X what the brush does · Esc ends"
             ),
         };
-        self.hint = told + hint;
+        hint.clone_into(&mut self.hint);
         step
     }
 
@@ -171,15 +186,14 @@ impl MaskTool {
         if self.worker.owes() {
             return;
         }
-        let (Some(file), Some((_, laying)), Some(change)) = (
-            session.mask_file(layer),
-            painted_of(session.look(), layer),
-            self.waiting.pop_front(),
-        ) else {
+        let (Some(file), Some((name, laying)), Some(change)) =
+            (session.mask_file(layer), painted_of(session.look(), layer), self.waiting.pop_front())
+        else {
             return;
         };
         let size = picture_size(rect, ui.pixels_per_point());
-        let request = MaskRequest { file, laying, change, size, snapshot: session.snapshot() };
+        let (name, snapshot) = (name.to_owned(), session.snapshot());
+        let request = MaskRequest { file, name, laying, change, size, snapshot };
         self.worker.request(|_| request);
     }
 
@@ -215,7 +229,7 @@ impl MaskTool {
             painter.circle_stroke(at, self.size / 2.0, Stroke::new(3.0, theme::HALO));
             painter.circle_stroke(at, self.size / 2.0, Stroke::new(1.0, Color32::WHITE));
         }
-        over_top(ui, rect, "mask", session, |ui| self.controls(ui, session, &layer, out));
+        over_top(ui, rect, "mask", |ui| self.controls(ui, session, &layer, out));
     }
 
     fn controls(&mut self, ui: &mut Ui, session: &Session, layer: &NodeId, out: &mut Vec<Command>) {
@@ -256,7 +270,7 @@ impl MaskTool {
         ];
         for (value, [label, name], suffix, range, help) in numbers {
             ui.label(label);
-            let drag = DragValue::new(value).range(range).max_decimals(0).suffix(suffix);
+            let drag = number_field(ui, value).range(range).max_decimals(0).suffix(suffix);
             let response = ui.add(drag).on_hover_text(help);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
         }
@@ -277,7 +291,15 @@ impl MaskTool {
         if ui.button(tr!("Done")).on_hover_text(tr!("Ends painting (Esc)")).clicked() {
             out.push(Command::Mask(MaskCommand::Leave));
         }
+        if let Some(told) = &self.told {
+            ui.label(RichText::new(told).color(theme::of(ui).text));
+        }
     }
+}
+
+/// Files of a look and of the mask of a layer.
+fn files_of(session: &Session, layer: &NodeId) -> Option<[PathBuf; 2]> {
+    Some([session.path()?.to_path_buf(), session.mask_file(layer)?])
 }
 
 impl BackgroundJobs for MaskTool {

@@ -34,7 +34,9 @@ impl MaskChange {
 }
 
 pub(super) struct MaskRequest {
+    /// File of the mask, and its name as the look has it.
     pub(super) file: PathBuf,
+    pub(super) name: String,
     pub(super) laying: MaskLaying,
     pub(super) change: MaskChange,
     /// Size of the picture, in pixels.
@@ -53,16 +55,25 @@ pub(crate) fn laying(snapshot: &RenderSnapshot) -> MaskLaying {
     MaskObject::laying(&MaskObject::of(&setup.value), &view)
 }
 
+/// True if no mesh that the open look is on has vertex colors; false without a picture.
+pub(crate) fn lacks_colors(snapshot: &RenderSnapshot) -> bool {
+    let setup = snapshot.setup(&mut Assets::of(&snapshot.assets));
+    setup.is_ok_and(|setup| {
+        let objects = MaskObject::of(&setup.value);
+        let mut worn = objects.iter().filter(|object| !object.worn.is_empty());
+        worn.all(|object| !object.mesh.has_colors)
+    })
+}
+
 /// Result of a request: the step, or the reason why there is none, as a sentence without its end.
 pub(super) type MaskAnswer = Result<MaskStep, String>;
 
 /// Carries out a request.
 pub(super) fn carry_out(assets: &mut Assets, request: MaskRequest) -> MaskAnswer {
-    let MaskRequest { file, laying, change, size, snapshot } = request;
+    let MaskRequest { file, name, laying, change, size, snapshot } = request;
     let setup = snapshot.setup(assets).map_err(|problems| {
         problems.first().map_or_else(|| tr!("There is no picture to paint on").to_owned(), sentence)
     })?;
-    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let image = assets.image(&snapshot.folder, &name).map_err(|problem| sentence(&problem))?;
     let before = MaskPicture::of(&image).ok_or_else(|| {
         tr!("{name} has colors or is transparent: it is no mask to be painted, and stays as it is")

@@ -11,7 +11,7 @@ use crate::tools::notice::over_top;
 impl PlacingTool {
     /// Shows the light and the marks.
     pub(super) fn bar(&mut self, ui: &mut Ui, rect: Rect, session: &Session) {
-        over_top(ui, rect, "placing bar", session, |ui| self.controls(ui, session));
+        over_top(ui, rect, "placing bar", |ui| self.controls(ui, session));
     }
 
     fn controls(&mut self, ui: &mut Ui, session: &Session) {

@@ -3,7 +3,7 @@
 use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui::{Color32, FontId, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use super::panel::{ROW, column_of, wire_name};
+use super::panel::{ROW, column_of};
 use crate::commands::Command;
 use crate::reference::{LightAccount, LightReading};
 use crate::state::session::Session;
@@ -122,7 +122,7 @@ fn in_full(ui: &mut Ui, session: &Session, account: &LightAccount, why: &str) {
         ui.label(tr!("{distance} scene units away", distance = number_text(distance, 3)));
     }
     for reading in &account.readings {
-        let name = wire_name(session, &reading.node);
+        let name = session.look_with_library().title_of_path(&reading.node);
         ui.label(tr!(
             "{label} of {name}: {value}",
             label = tr_in("node", &reading.label),

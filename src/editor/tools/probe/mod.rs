@@ -4,8 +4,6 @@
 mod lights;
 mod panel;
 
-pub(crate) use panel::wire_name;
-
 use std::sync::Arc;
 
 use chiaro_locale::tr;
@@ -15,7 +13,7 @@ use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
 use crate::commands::{Command, Switch, table};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::fields::wire_value::{WireReadings, readings};
+use crate::fields::wire_value::{WireReadings, readings, row_names};
 use crate::frame::{Draw, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
 use crate::reference::{LightAccount, ReferenceOptions, WireValue, light_accounts, probe_wires};
@@ -93,6 +91,8 @@ pub struct Probe {
     found: Option<ProbeResult>,
     /// The result in few words, for the canvas.
     readings: Arc<WireReadings>,
+    /// Names of the wires' rows.
+    names: Vec<String>,
     jump: bool,
     /// True if the panel lists lights and not wires.
     lists_lights: bool,
@@ -113,6 +113,7 @@ impl Probe {
             progress: Progress::new(),
             found: None,
             readings: Arc::default(),
+            names: Vec::new(),
             jump: false,
             lists_lights: false,
         }
@@ -182,7 +183,9 @@ impl Probe {
         for found in self.worker.answers() {
             if self.asked.as_ref() == Some(&found.spot) {
                 self.found = Some(found);
-                self.readings = Arc::new(readings(session, self.wires()));
+                let look = session.look_with_library();
+                self.readings = Arc::new(readings(look, self.wires()));
+                self.names = row_names(look, self.wires());
             }
         }
         if !self.is_on {

@@ -42,7 +42,8 @@ impl Probe {
                 commands.extend(lights::table(ui, session, &found.lights));
             }
             Some(Ok(Some(found))) => {
-                commands.extend(table(ui, session, &found.wires, std::mem::take(&mut self.jump)));
+                let jump = std::mem::take(&mut self.jump);
+                commands.extend(table(ui, session, (&found.wires, &self.names), jump));
             }
             Some(Err(found)) => {
                 for problem in
@@ -129,7 +130,13 @@ pub(super) fn column_of(rect: Rect, columns: &[f32], index: usize) -> Rect {
     Rect::from_min_max(pos2(x(columns[index]), rect.top()), pos2(x(end) - 8.0, rect.bottom()))
 }
 
-fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec<Command> {
+/// Table of wires with the names of their rows.
+fn table(
+    ui: &mut Ui,
+    session: &Session,
+    (wires, names): (&[WireValue], &[String]),
+    jump: bool,
+) -> Vec<Command> {
     ui.spacing_mut().item_spacing.y = 0.0;
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     for (index, title) in [tr!("Node"), "f32", "f64", tr!("Difference")].into_iter().enumerate() {
@@ -154,13 +161,20 @@ fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec
     let mut commands = Vec::new();
     area.show_rows(ui, ROW, wires.len(), |ui, rows| {
         for index in rows {
-            commands.extend(row(ui, session, &wires[index], Some(index) == first_broken));
+            let name = names.get(index).map_or("", String::as_str);
+            let is_first_broken = Some(index) == first_broken;
+            commands.extend(row(ui, session, (&wires[index], name), is_first_broken));
         }
     });
     commands
 }
 
-fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) -> Option<Command> {
+fn row(
+    ui: &mut Ui,
+    session: &Session,
+    (wire, name): (&WireValue, &str),
+    is_first_broken: bool,
+) -> Option<Command> {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
     response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::Role::Button, true, tr!("Wire of {node}", node = wire.node))
@@ -181,16 +195,11 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         );
     }
     let ink = if wire.is_finite() { theme::of(ui).text } else { theme::of(ui).error };
-    cell(
-        ui,
-        column(rect, 0),
-        &wire_name(session, &wire.node),
-        FontId::proportional(theme::TEXT_SIZE),
-        ink,
-    );
+    let look = session.look_with_library();
+    cell(ui, column(rect, 0), name, FontId::proportional(theme::TEXT_SIZE), ink);
     for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
         let mut place = column(rect, index);
-        if let Some(color) = color_of(numbers) {
+        if let Some(color) = color_of(look, wire, numbers) {
             let swatch =
                 Rect::from_min_size(pos2(place.left(), rect.center().y - 5.0), vec2(10.0, 10.0));
             ui.painter().rect_filled(swatch, 2.0, color);
@@ -198,7 +207,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
             ui.painter().rect_stroke(swatch, 2.0, edge, egui::StrokeKind::Inside);
             place.min.x += 16.0;
         }
-        let text = text_of(session, wire, numbers);
+        let text = text_of(look, wire, numbers);
         cell(ui, place, &text, FontId::monospace(11.0), ink);
     }
     let difference = wire.difference();
@@ -217,7 +226,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         .then(|| wire.node.outermost().cloned().map(|id| Command::Show(NodePath::root(id))))
         .flatten();
     response.context_menu(|ui| {
-        let node = session.look_with_library().node_at(&wire.node);
+        let node = look.node_at(&wire.node);
         let Some(kind) = node.and_then(|node| session.project.catalog.of(node)) else { return };
         for (port, style) in
             kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style)))
@@ -229,7 +238,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
             }
         }
     });
-    response.on_hover_ui(|ui| in_full(ui, wire));
+    response.on_hover_ui(|ui| in_full(ui, name, &text_of(look, wire, &wire.double), wire));
     command
 }
 
@@ -243,23 +252,10 @@ fn show_as(port: &str, style: Style) -> String {
     }
 }
 
-/// Name of a node for the user, with the groups that the node lies in.
-pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
-    let [outer, inner @ ..] = path.ids() else { return String::new() };
-    let node = session.look().graph.nodes.get(outer);
-    let kind = || Some(tr_in("node", &session.project.catalog.of(node?)?.label).to_owned());
-    let own = node.map(|node| node.name.clone()).filter(|name| !name.is_empty());
-    let mut name = own.or_else(kind).unwrap_or_else(|| outer.to_string());
-    for id in inner {
-        name += " / ";
-        name += id.as_str();
-    }
-    name
-}
-
-/// Shows every scalar with all its digits.
-fn in_full(ui: &mut Ui, wire: &WireValue) {
-    ui.label(RichText::new(wire.node.to_string()).strong());
+/// Shows a wire in words, and every scalar with all its digits.
+fn in_full(ui: &mut Ui, name: &str, text: &str, wire: &WireValue) {
+    ui.label(RichText::new(name).strong());
+    ui.label(text);
     ui.label(RichText::new(tr!("{name} in the WGSL", name = wire.name)).color(theme::of(ui).dim));
     egui::Grid::new("in full").num_columns(3).spacing([16.0, 2.0]).show(ui, |ui| {
         for (single, double) in wire.single.iter().zip(&wire.double) {

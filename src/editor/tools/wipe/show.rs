@@ -16,6 +16,7 @@ use crate::state::worker::BackgroundJobs;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
 use crate::tools::playback::Playback;
+use crate::widgets::number::number_slider;
 use crate::widgets::rows::{fitted, whole};
 use crate::widgets::theme;
 
@@ -244,7 +245,7 @@ impl Wipe {
                 });
             }
             M::Over => {
-                let slider = egui::Slider::new(&mut self.opacity, 0.0..=1.0).show_value(false);
+                let slider = number_slider(ui, &mut self.opacity, 0.0..=1.0).show_value(false);
                 let slider = ui.add(slider).on_hover_text(tr!("Opacity of the other picture"));
                 let opacity = f64::from(self.opacity);
                 let name = tr!("Opacity of the other picture");

@@ -3,8 +3,8 @@
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke,
-    TextWrapMode, Ui, WidgetInfo, pos2, vec2,
+    Button, Color32, ComboBox, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke, TextWrapMode,
+    Ui, WidgetInfo, pos2, vec2,
 };
 use glam::DVec3;
 
@@ -13,6 +13,7 @@ use super::{KeySetView, name};
 use crate::commands::Command;
 use crate::document::{Driver, KeyDirection};
 use crate::state::keying::{said, targets_of};
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 /// Height up to which a menu of drivers grows before it scrolls, in points.
@@ -124,7 +125,7 @@ fn place(
     let per_unit = if driver.is_angle() { 1f64.to_radians() } else { 1.0 };
     let mut value = own / per_unit;
     let (speed, suffix) = if driver.is_angle() { (0.5, "°") } else { (0.01, "") };
-    let drag = ui.add(DragValue::new(&mut value).speed(speed).suffix(suffix).max_decimals(3));
+    let drag = ui.add(number_field(ui, &mut value).speed(speed).suffix(suffix).max_decimals(3));
     let driver = shown.owned.keys.driver_name(driver);
     let called = tr!("{driver} of key {key}", key = key + 1);
     drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, called.clone()));

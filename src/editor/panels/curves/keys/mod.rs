@@ -25,6 +25,7 @@ use crate::state::keying::{KeyPlace, rounded};
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
+use crate::widgets::text::is_typed;
 use crate::widgets::theme;
 use sphere::{Globe, Ground};
 
@@ -176,7 +177,7 @@ impl Keys {
                     .char_limit(80),
             );
             name(&edit, Role::TextInput, tr!("Name of the keys"));
-            if edit.changed() {
+            if is_typed(ui, &edit, &mut called) {
                 out.extend(shown.change_held(edit.id, |keys| keys.name = called));
             }
             if keys.by.axes().is_none() {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui;
-use eframe::egui::{Button, ComboBox, DragValue, Label, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{Button, ComboBox, Label, RichText, ScrollArea, Ui, vec2};
 
 use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
@@ -25,6 +25,7 @@ use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::keying::KeyedBy;
 use crate::state::session::Session;
 use crate::values;
+use crate::widgets::number::number_field;
 use crate::widgets::rows::together;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -401,7 +402,7 @@ fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
                     return;
                 }
                 let mut degrees = radians.to_degrees();
-                let drag = DragValue::new(&mut degrees)
+                let drag = number_field(ui, &mut degrees)
                     .range(0.0..=180.0)
                     .clamp_existing_to_range(false)
                     .speed(0.5)

@@ -2,7 +2,7 @@
 
 use chiaro_locale::tr;
 use eframe::egui;
-use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Button, ComboBox, RichText, Role, Ui, WidgetInfo};
 
 use super::{Timeline, rows, shot_tracks, transport};
 use crate::commands::Command;
@@ -12,6 +12,7 @@ use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::tools::PictureTools;
 use crate::values;
+use crate::widgets::number::{self, number_field_as};
 use crate::widgets::rows::together;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -89,7 +90,7 @@ fn range(timeline: &mut Timeline, ui: &mut Ui) {
     ] {
         // Whole frames are told without decimals.
         let text = |frame: f64, _| values::number_text(frame, 2);
-        let drag = DragValue::new(frame).speed(0.2).custom_formatter(text);
+        let drag = number_field_as(ui, frame, text, number::read).speed(0.2);
         let response = ui.add(drag);
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
         response.on_hover_text(help);

@@ -3,8 +3,7 @@
 
 use chiaro_locale::{tr, trn};
 use eframe::egui::{
-    Button, DragValue, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2,
-    vec2,
+    Button, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
@@ -14,6 +13,7 @@ use crate::film::FrameList;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
 use crate::tools::playback::time_of;
+use crate::widgets::number::number_field;
 use crate::widgets::theme;
 
 /// Height of the row, in points.
@@ -96,7 +96,7 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
         ),
     };
     menu.response.on_hover_text(help);
-    let drag = DragValue::new(&mut flip.threshold).range(0..=254).prefix("> ").suffix("/255");
+    let drag = number_field(ui, &mut flip.threshold).range(0..=254).prefix("> ").suffix("/255");
     let response = ui.add(drag).on_hover_text(tr!("Differences up to this one count as none"));
     response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Threshold")));
     chosen

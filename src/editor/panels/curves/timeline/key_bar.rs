@@ -2,7 +2,7 @@
 //! keys, and their length.
 
 use chiaro_locale::{Text, text, tr, trn};
-use eframe::egui::{Button, DragValue, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Button, RichText, Role, Ui, WidgetInfo};
 
 use super::sheet::PickedTrack;
 use super::{Timeline, rows};
@@ -11,6 +11,7 @@ use crate::document::{Extrapolation, HandlePair, TimeInterpolation, TrackEnds};
 use crate::fields::lighting::OwnedKeys;
 use crate::state::keying::retime;
 use crate::state::session::Session;
+use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 use crate::widgets::value;
@@ -119,15 +120,16 @@ fn one_key(
     let mut time = key.time;
     // A shot counts frames alone.
     let of_time = session.shot().is_none().then(|| {
-        let drag = DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s");
-        let response = ui.add(drag.update_while_editing(false));
+        let drag =
+            number_field(ui, &mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s");
+        let response = ui.add(drag);
         let name = tr!("Time of the key");
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
         response
     });
     let mut frame = key.time * timeline.fps;
-    let drag = DragValue::new(&mut frame).speed(0.2).max_decimals(2).prefix("f ");
-    let of_frame = ui.add(drag.update_while_editing(false));
+    let drag = number_field(ui, &mut frame).speed(0.2).max_decimals(2).prefix("f ");
+    let of_frame = ui.add(drag);
     of_frame.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frame of the key")));
     let of_frame = (of_frame, frame / timeline.fps);
     for (response, time) in of_time.map(|of_time| (of_time, time)).into_iter().chain([of_frame]) {
@@ -211,8 +213,8 @@ fn length(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec
     }
     let fps = timeline.fps;
     let mut frames = (end - start) * fps;
-    let drag = DragValue::new(&mut frames).speed(0.25).max_decimals(2).suffix(tr!(" frames"));
-    let response = ui.add(drag.range(0.01..=1e7).update_while_editing(false));
+    let drag = number_field(ui, &mut frames).speed(0.25).max_decimals(2).suffix(tr!(" frames"));
+    let response = ui.add(drag.range(0.01..=1e7));
     response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Length of the keys")));
     let held = timeline.sheet.held_while(session, &response);
     if let Some([start, end]) = range_of(&held).filter(|_| response.changed()) {
@@ -229,8 +231,8 @@ fn scale(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<
     }
     let playhead = session.view.time;
     let mut percent = 100.0;
-    let drag = DragValue::new(&mut percent).speed(0.5).max_decimals(1).suffix(" %");
-    let response = ui.add(drag.range(1.0..=10_000.0).update_while_editing(false));
+    let drag = number_field(ui, &mut percent).speed(0.5).max_decimals(1).suffix(" %");
+    let response = ui.add(drag.range(1.0..=10_000.0));
     response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Scale of the keys")));
     let held = timeline.sheet.held_while(session, &response);
     if response.changed() && !held.is_empty() {

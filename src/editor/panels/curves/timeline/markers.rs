@@ -17,6 +17,7 @@ use crate::state::keying::retime::tidy;
 use crate::state::session::Session;
 use crate::values;
 use crate::widgets::handle::{focus_ring, handle, pressed};
+use crate::widgets::rows::leaves_with_text;
 use crate::widgets::theme;
 
 /// Height of the strip, in points.
@@ -354,8 +355,7 @@ impl ShownMarker<'_> {
         }
         if is_over {
             timeline.renaming = None;
-            let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
-            if !is_given_up && name != self.marker().name {
+            if leaves_with_text(ui) && name != self.marker().name {
                 let markers = self.changed(|marker| marker.name.clone_from(&name));
                 out.push(self.owner.set_in_order(self.session, markers));
             }

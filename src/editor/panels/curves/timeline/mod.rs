@@ -62,6 +62,7 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     transport::answer(timeline, ui, session, &mut bench.tools, &mut commands);
     // Before the graph, whose keys are some of the same.
     if let Some(panel) = timeline.panel.filter(|_| presence == Presence::Seen) {
+        timeline.sheet.follow(session);
         sheet::keys(timeline, ui, session, panel, &mut commands);
         transport::keys(timeline, ui, session, panel, &mut commands);
     }
@@ -255,7 +256,9 @@ impl Timeline {
             let time = |time: f64| tidy(time + later);
             self.sheet.retime(session, picked, (1.0, &time), widget, &mut commands);
         }
-        if let Some(drawn) = self.sheet.select_in_box(ui) {
+        let drawn = self.sheet.select_in_box(ui);
+        self.sheet.learn(session);
+        if let Some(drawn) = drawn {
             let color = theme::of(ui).accent;
             let painter = ui.painter_at(rows);
             let stroke = Stroke::new(1.0, color);

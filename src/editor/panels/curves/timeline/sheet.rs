@@ -2,16 +2,18 @@
 //! pasted, deleted.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::path::PathBuf;
 
 use chiaro_locale::tr;
 use eframe::egui::{Event, Id, Key, Modifiers, Pos2, Rect, Response, Ui};
 
-use super::{Timeline, markers, owners};
+use super::{LEAST, Timeline, markers, owners};
 use crate::commands::{Command, keyboard};
 use crate::document::{Edit, Target, TimeKey, TimeKeys};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::frame::Track;
 use crate::state::keying::retime;
+use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 
 /// Place of a key: the document of its track, and the indices of the track and of the key in it.
@@ -39,6 +41,13 @@ struct CopiedKeys {
     keys: Vec<TimeKey>,
 }
 
+/// Track and time of a key, in seconds, by which it is found again where keys before it came or
+/// went.
+type KeyIdentity = (Target, f64);
+
+/// Origin of the selection: number of the document, and the files of the scene and the shot.
+type SelectionPlace = (DocumentNumber, Option<PathBuf>, Option<PathBuf>);
+
 /// Drag of the selected keys by one of them.
 pub(super) struct KeyDrag {
     /// Widget that the drag began at, under which the edits are one step.
@@ -59,6 +68,9 @@ pub(super) struct KeySheet {
     pub(super) selected: BTreeSet<KeyAt>,
     /// The key that was chosen last.
     pub(super) active: Option<KeyAt>,
+    /// Identities of the selected keys, as of the last frame.
+    known: HashMap<KeyAt, KeyIdentity>,
+    place: Option<SelectionPlace>,
     /// Tracks that are opened into curves.
     pub(super) open: HashSet<(Owner, Target)>,
     /// Values at the lower and the upper edge of opened tracks.
@@ -75,16 +87,63 @@ pub(super) struct KeySheet {
 }
 
 impl KeySheet {
-    /// Forgets keys that are no more.
+    /// Forgets where keys were shown.
     pub(super) fn begin_frame(&mut self, session: &Session) {
-        let is_there = |at: &KeyAt| {
-            let keys = at.owner.keys(session);
-            let track = keys.and_then(|keys| keys.base.look.time_keys.get(at.track));
-            track.is_some_and(|track| at.key < track.keys.len())
-        };
-        self.selected.retain(is_there);
-        self.active = self.active.filter(|at| is_there(at) && self.selected.contains(at));
+        self.follow(session);
         self.places.clear();
+    }
+
+    /// Follows the selected keys to where they are now, and forgets those that are no more, or are
+    /// of another document.
+    pub(super) fn follow(&mut self, session: &Session) {
+        let scene = session.open_scene().and_then(|open_scene| open_scene.path());
+        let shot = session.shot().map(|shot| shot.path().to_owned());
+        let place = (session.revisions().document, scene.map(PathBuf::from), shot);
+        if self.place.as_ref() != Some(&place) {
+            let is_new = self.place.replace(place).is_some();
+            if is_new {
+                self.selected.clear();
+                self.known.clear();
+                self.drag = None;
+            }
+        }
+        let known = std::mem::take(&mut self.known);
+        let now = |at: &KeyAt| match known.get(at) {
+            Some(identity) => found(session, *at, identity),
+            None => identity(session, *at).map(|_| *at),
+        };
+        self.active = self.active.filter(|at| self.selected.contains(at)).and_then(|at| now(&at));
+        self.selected = self.selected.iter().filter_map(now).collect();
+        self.learn(session);
+    }
+
+    /// Learns the identities of keys that were selected in this frame; to be called before edits of
+    /// the frame are carried out.
+    pub(super) fn learn(&mut self, session: &Session) {
+        self.known.retain(|at, _| self.selected.contains(at));
+        for at in &self.selected {
+            if !self.known.contains_key(at)
+                && let Some(identity) = identity(session, *at)
+            {
+                self.known.insert(*at, identity);
+            }
+        }
+    }
+
+    /// Selects keys of a track that will be as `keys` says, in place of those of it that were.
+    fn select(&mut self, picked: &PickedTrack, keys: &TimeKeys, selected: &[usize]) {
+        let PickedTrack { owner, index: track, .. } = *picked;
+        let is_other = |at: &KeyAt| (at.owner, at.track) != (owner, track);
+        self.selected.retain(is_other);
+        self.known.retain(|at, _| is_other(at));
+        for &key in selected {
+            let at = KeyAt { owner, track, key };
+            self.selected.insert(at);
+            if let Some(of_track) = keys.keys.get(key) {
+                self.known.insert(at, (keys.target.clone(), of_track.time));
+            }
+        }
+        self.active = self.active.filter(|at| self.selected.contains(at));
     }
 
     /// Tells where a key is shown.
@@ -160,11 +219,8 @@ impl KeySheet {
     ) {
         let mut edits: BTreeMap<Owner, Vec<Edit>> = BTreeMap::new();
         for (picked, (keys, selected)) in edited {
+            self.select(&picked, &keys, &selected);
             let PickedTrack { owner, index: track, .. } = picked;
-            self.selected.retain(|at| (at.owner, at.track) != (owner, track));
-            let at = |key| KeyAt { owner, track, key };
-            self.selected.extend(selected.iter().copied().map(at));
-            self.active = self.active.filter(|at| self.selected.contains(at));
             let own = owner.keys(session).and_then(|it| it.base.look.time_keys.get(track));
             if own != Some(&keys) {
                 edits.entry(owner).or_default().push(Edit::SetTimeKeys { index: track, keys });
@@ -302,6 +358,23 @@ impl KeySheet {
         self.drag = Some(KeyDrag { widget, from, time, height, picked: self.picked(session) });
     }
 
+    /// Gives up a drag of keys: those that moved go back, and stay selected.
+    fn give_up_drag(&mut self, session: &Session, out: &mut Vec<Command>) {
+        let Some(KeyDrag { picked, .. }) = self.drag.take() else { return };
+        let mut moved = BTreeSet::new();
+        for picked in picked {
+            let now = picked.owner.keys(session);
+            let now = now.and_then(|keys| keys.base.look.time_keys.get(picked.index));
+            if now != Some(&picked.track) {
+                moved.insert(picked.owner);
+            }
+            self.select(&picked, &picked.track, &picked.keys);
+        }
+        // A drag is one step of each document: of the shot alone, where one is open.
+        let steps = if session.shot().is_some() { moved.len().min(1) } else { moved.len() };
+        out.extend(std::iter::repeat_n(Command::Undo, steps));
+    }
+
     /// Begins and goes on with a box that selects the keys within it.
     pub(super) fn drag_box(&mut self, ui: &Ui, response: &Response) {
         let modifiers = ui.input(|input| input.modifiers);
@@ -345,6 +418,9 @@ pub(super) fn go_on(
     out: &mut Vec<Command>,
 ) {
     let Some(drag) = &timeline.sheet.drag else { return };
+    if keyboard::is_escape_pressed(ui.ctx()) {
+        return timeline.sheet.give_up_drag(session, out);
+    }
     let (is_down, to, is_locked) = ui.input(|input| {
         (input.pointer.any_down(), input.pointer.interact_pos(), input.modifiers.shift)
     });
@@ -369,6 +445,25 @@ pub(super) fn go_on(
     });
     let (moved, widget) = (moved.collect(), drag.widget);
     timeline.sheet.replace(session, moved, Some(widget), out);
+}
+
+/// Identity of a key, where it is there.
+fn identity(session: &Session, at: KeyAt) -> Option<KeyIdentity> {
+    let track = at.owner.keys(session)?.base.look.time_keys.get(at.track)?;
+    Some((track.target.clone(), track.keys.get(at.key)?.time))
+}
+
+/// Place of a key that was at a place, where it still is there.
+fn found(session: &Session, at: KeyAt, (target, time): &KeyIdentity) -> Option<KeyAt> {
+    let tracks = &at.owner.keys(session)?.base.look.time_keys;
+    let is_it = |track: &TimeKeys| track.target == *target;
+    let is_in_place = tracks.get(at.track).is_some_and(is_it);
+    let track = if is_in_place { at.track } else { tracks.iter().position(is_it)? };
+    let keys = &tracks[track].keys;
+    let is_then = |key: &TimeKey| (key.time - time).abs() < 0.5 * LEAST;
+    let is_in_place = keys.get(at.key).is_some_and(is_then);
+    let key = if is_in_place { at.key } else { keys.iter().position(is_then)? };
+    Some(KeyAt { track, key, ..at })
 }
 
 /// True if keys of one list can stand among those of the other: their values are of one form.
@@ -472,5 +567,114 @@ pub(super) fn keys(
         && (take(Modifiers::NONE, Key::Delete) || take(Modifiers::NONE, Key::Backspace))
     {
         timeline.sheet.delete(session, out);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::document::Value;
+    use crate::library::Library;
+
+    const LOOK: &str = r##"{"chiaro": "look", "nodes": [{"id": "fill", "kind": "fill_layer"},
+        {"id": "output", "kind": "output"}],
+        "wires": [{"from": "fill", "to": "output.color"}],
+        "time_keys": [{"target": "fill.opacity", "keys": [{"time": 0, "value": 0.1},
+            {"time": 1, "value": 0.5}, {"time": 2, "value": 0.9}]}]}"##;
+
+    fn opened() -> Session {
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.start_from(LOOK, "keys");
+        session
+    }
+
+    /// Sets the keys of the track to others, each with its time as value.
+    fn set(session: &mut Session, times: &[f64]) {
+        let mut keys = session.look().time_keys[0].clone();
+        let model = keys.keys[0].clone();
+        let at = |&time: &f64| TimeKey { time, value: Value::Number(time), ..model.clone() };
+        keys.keys = times.iter().map(at).collect();
+        session.apply(Edit::SetTimeKeys { index: 0, keys }, None).unwrap();
+    }
+
+    /// A sheet with one key selected, after the frame of the press.
+    fn pressed(session: &Session, key: usize) -> KeySheet {
+        let mut sheet = KeySheet::default();
+        sheet.begin_frame(session);
+        sheet.press(KeyAt { owner: Owner::Look, track: 0, key }, Modifiers::NONE, false);
+        sheet.learn(session);
+        sheet
+    }
+
+    fn times(sheet: &KeySheet, session: &Session) -> Vec<f64> {
+        let track = &session.look().time_keys[0].keys;
+        sheet.selected.iter().map(|at| track[at.key].time).collect()
+    }
+
+    #[test]
+    fn a_selected_key_stays_itself_while_others_come_and_go() {
+        let mut session = opened();
+        let mut sheet = pressed(&session, 1);
+        set(&mut session, &[0.0, 0.5, 0.75, 1.0, 2.0]);
+        sheet.begin_frame(&session);
+        assert_eq!(times(&sheet, &session), [1.0]);
+        assert_eq!(sheet.active.map(|at| at.key), Some(3));
+        set(&mut session, &[1.0, 2.0]);
+        sheet.begin_frame(&session);
+        assert_eq!(times(&sheet, &session), [1.0]);
+    }
+
+    #[test]
+    fn no_other_key_is_selected_in_place_of_one_that_an_undo_took_back() {
+        let mut session = opened();
+        set(&mut session, &[0.0, 1.0, 1.5, 2.0]);
+        let mut sheet = pressed(&session, 2);
+        session.undo();
+        sheet.follow(&session);
+        assert!(sheet.selected.is_empty() && sheet.active.is_none());
+        let mut commands = Vec::new();
+        sheet.delete(&session, &mut commands);
+        assert!(commands.is_empty(), "{commands:?}");
+    }
+
+    #[test]
+    fn moved_keys_stay_selected_and_another_document_has_none() {
+        let mut session = opened();
+        let mut sheet = pressed(&session, 1);
+        let (held, mut commands) = (sheet.picked(&session), Vec::new());
+        let later = |time: f64| time + 0.5;
+        sheet.retime(&session, held, (1.0, &later), None, &mut commands);
+        sheet.learn(&session);
+        assert_eq!(commands.len(), 1);
+        set(&mut session, &[0.0, 1.5, 2.0]);
+        sheet.begin_frame(&session);
+        assert_eq!(times(&sheet, &session), [1.5]);
+        // The same keys, at the same times, in another document.
+        session.start_from(LOOK, "again");
+        set(&mut session, &[0.0, 1.5, 2.0]);
+        sheet.begin_frame(&session);
+        assert!(sheet.selected.is_empty());
+    }
+
+    #[test]
+    fn a_drag_that_is_given_up_is_one_step_back_with_its_keys_selected() {
+        let mut session = opened();
+        let mut sheet = pressed(&session, 1);
+        let widget = Id::unique("key");
+        let drag = |picked| KeyDrag { widget, from: Pos2::ZERO, time: 1.0, height: None, picked };
+        sheet.drag = Some(drag(sheet.picked(&session)));
+        let mut commands = Vec::new();
+        sheet.give_up_drag(&session, &mut commands);
+        assert!(commands.is_empty(), "nothing moved yet: {commands:?}");
+        sheet.drag = Some(drag(sheet.picked(&session)));
+        set(&mut session, &[0.0, 1.5, 2.0]);
+        sheet.give_up_drag(&session, &mut commands);
+        assert_eq!(commands, [Command::Undo]);
+        assert!(sheet.drag.is_none());
+        session.undo();
+        sheet.begin_frame(&session);
+        assert_eq!(times(&sheet, &session), [1.0]);
     }
 }

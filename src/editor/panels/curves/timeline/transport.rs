@@ -3,7 +3,7 @@
 use chiaro_locale::{tr, trn};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Align, Button, ComboBox, DragValue, Event, Key, Label, Layout, Modifiers, PointerButton,
+    Align, Button, ComboBox, Event, Key, Label, Layout, Modifiers, PointerButton,
     PopupCloseBehavior, Rect, RichText, Role, Stroke, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
@@ -18,6 +18,7 @@ use crate::tools::onion::OnionSkin;
 use crate::tools::playback::order::LoopMode;
 use crate::tools::playback::{MEMORIES, PlayPace, Playback, frame_at, time_of};
 use crate::values;
+use crate::widgets::number::{self, number_field, number_field_as};
 use crate::widgets::theme;
 
 /// Part of the wanted rate below which the real one is told as slow.
@@ -242,7 +243,7 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
         for mib in MEMORIES {
             ui.radio_value(&mut chosen, mib, format!("{mib} MiB"));
         }
-        let other = ui.add(DragValue::new(&mut chosen).range(1..=1 << 20).suffix(" MiB"));
+        let other = ui.add(number_field(ui, &mut chosen).range(1..=1 << 20).suffix(" MiB"));
         other.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Memory of frames")));
         if chosen != memory {
             out.push(Command::KeepFrameMemory(chosen));
@@ -352,7 +353,7 @@ pub(super) fn frame(
     let mut frame = before;
     // Whole frames are told without decimals.
     let text = |frame: f64, _| values::number_text(frame, 2);
-    let drag = DragValue::new(&mut frame).speed(0.2).custom_formatter(text);
+    let drag = number_field_as(ui, &mut frame, text, number::read).speed(0.2);
     let response = ui.add(drag.prefix(tr!("timeline" => "Frame ")));
     response.widget_info(|| {
         let mut info = WidgetInfo::labeled(Role::SpinButton, true, tr!("Frame at the playhead"));
