@@ -747,6 +747,8 @@ fn meshes_and_images_are_loaded_again() {
     wait_until(&mut hand, |hand| hand.says("tri.obj was loaded again"));
     image::RgbaImage::from_pixel(3, 3, image::Rgba([200, 0, 0, 255])).save(&image).unwrap();
     wait_until(&mut hand, |hand| hand.says("skin.png was loaded again"));
+    fs::remove_file(&image).unwrap();
+    wait_until(&mut hand, |hand| hand.says("skin.png is not there any more"));
     assert!(!hand.app().session().is_dirty());
 }
 

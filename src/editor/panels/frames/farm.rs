@@ -1,6 +1,7 @@
 //! Job of a farm: the farm, how its tasks are cut, and the file that is written.
 
 use chiaro_locale::{tr, trn};
+use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{Align, Button, RichText, Role, Ui, WidgetInfo};
 
 use super::{FrameRenders, JobRun, command_text, view_of};
@@ -23,8 +24,11 @@ impl FrameRenders {
         out: &mut Vec<Command>,
     ) {
         let head = ui.label(RichText::new(tr!("Send to a farm")).strong());
-        if std::mem::take(&mut self.shows_farm) {
-            head.scroll_to_me(Some(Align::Min));
+        // A panel that was closed has its height, and so the room to scroll, a frame later.
+        if self.shows_farm > 0 {
+            self.shows_farm -= 1;
+            head.scroll_to_me_animation(Some(Align::Min), ScrollAnimation::none());
+            ui.ctx().request_repaint();
         }
         hint(
             ui,
@@ -67,7 +71,9 @@ impl FrameRenders {
         if let Ok(line) = &line {
             command_text(ui, line, tr!("Copy the command that writes the job"), out);
         }
-        let is_shown = |job: &&JobRun| job.end.is_none() || job.document == document.path;
+        // A job of another farm is submitted in another way.
+        let is_own = |job: &JobRun| job.document == document.path && job.farm == self.farm.to;
+        let is_shown = |job: &&JobRun| job.end.is_none() || is_own(job);
         let Some(job) = self.job.as_ref().filter(is_shown) else { return };
         written(ui, job, out);
         if job.end == Some(RunEnd::Failed) && job.file.is_file() {

@@ -40,6 +40,9 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 .with_each_frame(|bench, _, _, _| bench.frames.update())
 .with_jobs(|bench| &bench.frames);
 
+/// Frames of the window until a panel that opens has its place.
+const FRAMES_TO_SHOW: u8 = 4;
+
 /// Frames that are rendered, or were rendered last.
 struct FrameRun {
     run: ProgramRun,
@@ -105,8 +108,8 @@ pub(crate) struct FrameRenders {
     job: Option<JobRun>,
     /// Reason why nothing was started.
     problem: Option<String>,
-    /// True if the choices of a farm are to be brought into view.
-    shows_farm: bool,
+    /// Number of frames of the window for which the choices of a farm are brought into view.
+    shows_farm: u8,
     /// True if the next job replaces a file that this window did not write.
     replaces_job: bool,
 }
@@ -135,7 +138,7 @@ impl FrameRenders {
             frames: None,
             job: None,
             problem: None,
-            shows_farm: false,
+            shows_farm: 0,
             replaces_job: false,
         }
     }
@@ -160,7 +163,7 @@ impl FrameRenders {
 
     /// Brings the choices of a farm into view when the panel is shown next.
     pub(crate) fn show_farm(&mut self) {
-        self.shows_farm = true;
+        self.shows_farm = FRAMES_TO_SHOW;
     }
 
     /// Frames and jobs that are being made, each in a sentence on what a stop leaves of them.

@@ -225,12 +225,16 @@ impl DiskState {
                 if session.pictures.is_own(path, new) {
                     continue;
                 }
-                changed = path.file_name().map(|name| name.to_string_lossy().into_owned());
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                changed = Some(match new {
+                    Some(_) => tr!("{name} was loaded again"),
+                    None => tr!("{name} is not there any more"),
+                });
             }
         }
-        if let Some(name) = changed {
+        if let Some(text) = changed {
             session.files_changed();
-            told = told.or_else(|| Some(tr!("{name} was loaded again")));
+            told = told.or(Some(text));
         }
         told
     }

@@ -50,8 +50,8 @@ impl Session {
         Ok(())
     }
 
-    /// Begins a shot over the open scene, or with `is_over_shot` over the open shot where that has a
-    /// file, as their files have them. The open look is opened again, under the shot.
+    /// Begins a shot over the open scene, or with `is_over_shot` over the open shot where that has
+    /// a file, as their files have them. The open look is opened again, under the shot.
     ///
     /// # Errors
     /// Problems that keep what would lie under the shot from being read; all stays open then.

@@ -118,6 +118,8 @@ pub(crate) struct FlipBook {
     /// Greatest difference that is none, in steps of 1/255.
     pub(crate) threshold: u8,
     deltas: BTreeMap<i32, FrameDelta>,
+    /// True once every frame of the range was compared: after a change they all are again.
+    compares_all: bool,
     /// State of the documents and the view that the differences are of.
     basis: RequestNumber,
     other: Option<FlipPicture<KeyedPicture>>,
@@ -147,6 +149,7 @@ impl FlipBook {
             stops: 3,
             threshold: 2,
             deltas: BTreeMap::new(),
+            compares_all: false,
             basis: RequestNumber::default(),
             other: None,
             difference: None,
@@ -206,6 +209,16 @@ impl FlipBook {
             Some((first..=last).take(MOST_FRAMES).filter(lacks).collect())
         };
         FrameList::of(frames().unwrap_or_default())
+    }
+
+    /// Number of frames of a range that the other version has, and that were not compared yet.
+    pub(crate) fn uncompared(&self, [first, last]: [i32; 2]) -> usize {
+        let Some(version) = &self.version else { return 0 };
+        let is_open = |frame: &i32| {
+            let is_done = self.deltas.contains_key(frame) || version.failed.contains_key(frame);
+            version.has(*frame) && !is_done
+        };
+        (first..=last).take(MOST_FRAMES).filter(is_open).count()
     }
 
     /// Problems of files, with the number of the frame.
@@ -317,6 +330,7 @@ impl FlipBook {
         self.opens = None;
         self.problem = None;
         self.deltas.clear();
+        self.compares_all = false;
         (self.other, self.difference) = (None, None);
         self.number.advance();
         playback.share(None);
@@ -326,6 +340,7 @@ impl FlipBook {
         self.number.advance();
         self.version = Some(version);
         self.deltas.clear();
+        self.compares_all = false;
         (self.other, self.difference) = (None, None);
         self.problem = None;
         self.shows_other = false;
@@ -357,9 +372,14 @@ impl FlipBook {
         if self.version.is_none() {
             return Demands::default();
         }
+        let is_whole = || self.uncompared(transport.order.round.range()) == 0;
+        self.compares_all = self.compares_all || !self.deltas.is_empty() && is_whole();
         if self.basis != playback.basis() {
             self.basis = playback.basis();
             self.deltas.clear();
+            if self.compares_all {
+                playback.fill_again();
+            }
         }
         self.look_from(session, playback, transport.fps);
         if !self.worker.owes()
@@ -533,6 +553,7 @@ mod tests {
         flip.compare_with(0, &mut playback);
         assert_eq!(told(&flip), (kept.clone(), vec![files.clone()]));
         assert_eq!((playback.form(), flip.lacking([0, 3])), (form, FrameList::of(vec![3])));
+        assert_eq!(flip.uncompared([0, 3]), 3, "those that both have are still to be compared");
         // Chosen to be compared with, what is kept stands in front.
         flip.compare_kept(&mut playback);
         assert_eq!(told(&flip), ("Kept version 2".to_owned(), vec![files, kept]));

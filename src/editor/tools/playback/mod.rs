@@ -266,6 +266,11 @@ impl Playback {
         }
     }
 
+    /// Goes on to draw the frames of the range at rest after a change that ended that.
+    pub(crate) fn fill_again(&mut self) {
+        self.is_filling = self.can_draw();
+    }
+
     /// Takes the timeline's playhead of this frame of the window; `None` where there is no
     /// timeline.
     pub(crate) fn follow(&mut self, transport: Option<Transport>) {

@@ -60,7 +60,13 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
         chosen = greatest;
     }
     let count = flip.wrong().count();
-    let menu = ui.menu_button(tr!("{count} differ"), |ui| {
+    let open = flip.uncompared(timeline.round().range());
+    // How many differ is known once all are compared.
+    let text = match open {
+        0 => tr!("{count} differ"),
+        _ => tr!("{count} of {compared} differ", compared = flip.deltas().count()),
+    };
+    let menu = ui.menu_button(text, |ui| {
         ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
             for (frame, kind) in flip.wrong().take(LISTED) {
                 if ui.button(tr!("Frame {frame} {text}", text = kind.text())).clicked() {
@@ -71,10 +77,25 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
             for (frame, problem) in flip.failed().take(LISTED) {
                 ui.label(tr!("Frame {frame}: {problem}"));
             }
+            if open > 0 {
+                ui.label(trn!(
+                    open,
+                    "{open} frame is not drawn and compared yet: Cache draws it",
+                    "{open} frames are not drawn and compared yet: Cache draws them"
+                ));
+            }
             ui.label(lacking(&flip.lacking(timeline.round().range())));
         });
     });
-    menu.response.on_hover_text(tr!("Frames that differ by more than the threshold"));
+    let help = match open {
+        0 => tr!("Frames that differ by more than the threshold").to_owned(),
+        _ => trn!(
+            open,
+            "Frames that differ by more than the threshold; {open} is not compared yet",
+            "Frames that differ by more than the threshold; {open} are not compared yet"
+        ),
+    };
+    menu.response.on_hover_text(help);
     let drag = number_field(ui, &mut flip.threshold).range(0..=254).prefix("> ").suffix("/255");
     let response = ui.add(drag).on_hover_text(tr!("Differences up to this one count as none"));
     response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Threshold")));
