@@ -262,7 +262,8 @@ fn outside_warning(folder: &Path, document: &Path, outside: &[PathBuf]) -> Optio
     let files: Vec<&Path> = outside.iter().map(|path| &**path).collect();
     let all = [&[folder], &files[..]].concat();
     let with_frames = used_files::common_folder(&all);
-    let with_files = used_files::common_folder(&files).filter(|_| is_outside);
+    let folders: Vec<&Path> = outside.iter().filter_map(|path| path.parent()).collect();
+    let with_files = used_files::common_folder(&folders).filter(|_| is_outside);
     let hint = match (with_frames, with_files) {
         (Some(common), _) => {
             format!("call chiaro farm in {}, which has all", common.display())

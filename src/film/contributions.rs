@@ -289,7 +289,7 @@ struct LookGrade {
     look: String,
     /// The last node of the grade.
     node: NodePath,
-    /// What becomes of the stack, or the reason why no table says it.
+    /// Table of what becomes of the stack, or the reason why none says it.
     table: Result<TransferTable, String>,
 }
 

@@ -396,7 +396,7 @@ fn the_matte_of_lights_tells_the_strongest() {
     assert!(alone.names().iter().all(|name| !name.contains("key")), "{:?}", alone.names());
 }
 
-/// What others find in files, by `tests/film/judge.py`. `None` without them.
+/// Findings of others in files, by `tests/film/judge.py`. `None` without them.
 fn judged(files: &[PathBuf]) -> Option<Vec<Json>> {
     let mut python = film_judge()?;
     let output = python.arg(root().join("tests/film/judge.py")).args(files).output().unwrap();

@@ -75,7 +75,7 @@ impl Tool {
     /// # Errors
     /// A required tool that is missing.
     pub fn missing(self) -> Result<(), String> {
-        if tools_are_required() && !matches!(self, Self::Slang | Self::MaterialX) {
+        if tools_are_required() && !matches!(self, Self::Slang | Self::MaterialX | Self::Film) {
             return Err(format!("{self} is missing: run scripts/setup"));
         }
         say(&format!("SKIPPED: {self} is missing; scripts/setup installs it"));

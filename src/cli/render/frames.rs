@@ -462,8 +462,8 @@ impl Summary {
             }
         };
         format!(
-            "{frames} frames on {executor}: {drawn} drawn{shaded}, {equal} equal to others, {kept} kept\
-             {failed}; {seconds:.1} s, {an_hour:.0} frames an hour, bound by {bound} \
+            "{frames} frames on {executor}: {drawn} drawn{shaded}, {equal} equal to others, \
+             {kept} kept{failed}; {seconds:.1} s, {an_hour:.0} frames an hour, bound by {bound} \
              ({longest:.1} s of it)"
         )
     }

@@ -27,8 +27,8 @@ pub trait Editable {
     /// value.
     fn covers(older: &Self::Edit, newer: &Self::Edit) -> bool;
 
-    /// True for an edit that no picture shows, nor its inverse: of names, texts, markers, and places
-    /// on the canvas.
+    /// True for an edit that no picture shows, nor its inverse: of names, texts, markers, and
+    /// places on the canvas.
     fn is_annotation(_edit: &Self::Edit) -> bool {
         false
     }

@@ -563,6 +563,7 @@ pub(super) mod tests {
     use crate::document::{ShotKey, TimeKey};
     use crate::frame::Track;
     use crate::library::Library;
+    use crate::state::shot::shots_that_change;
 
     /// Numbers of the open shot's own keys of a value at frames, at places half a frame apart.
     fn curve(session: &Session, at: &ShotAddress) -> Vec<f64> {
@@ -743,5 +744,66 @@ pub(super) mod tests {
         assert_eq!(told("[1, 0.5, 0]", Some(ColorSpace::Display)), "#ff8000");
         assert_eq!(told("[1, 0.5, 0]", None), "1, 0.5, 0");
         assert_eq!(told("[9, 0.5, 0]", Some(ColorSpace::Display)), "9, 0.5, 0", "no screen's");
+    }
+
+    #[test]
+    fn changes_of_an_object_that_was_renamed_are_listed_and_moved() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            path
+        };
+        let scene =
+            put("duo.json", r#"{"chiaro": "scene", "objects": [{"id": "cow"}, {"id": "ball"}]}"#);
+        put(
+            "other.json",
+            r#"{"chiaro": "shot", "scene": "duo.json", "overrides": [
+            {"target": "objects.ball.visible", "value": false}]}"#,
+        );
+        let path = put(
+            "sh010.json",
+            r#"{"chiaro": "shot", "scene": "duo.json", "frames": [1, 9],
+            "overrides": [{"target": "objects.figure.visible", "value": false},
+            {"target": "objects.ball.transform.scale", "value": 2},
+            {"target": "objects.figure.transform.translate", "keys": [
+                {"frame": 1, "value": [0, 0, 0]}, {"frame": 9, "value": [1, 0, 0]}]}]}"#,
+        );
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&path).unwrap();
+        let shot = session.shot().unwrap();
+        let lost = shot.lost_changes();
+        let told: Vec<_> = lost.iter().map(|it| (it.change.target.as_str(), it.object())).collect();
+        let figure = Some("figure");
+        assert_eq!(
+            told,
+            [("objects.figure.visible", figure), ("objects.figure.transform.translate", figure)]
+        );
+        assert!(lost[0].why.contains("figure"), "{}", lost[0].why);
+        let places: Vec<&str> = shot.unchanged_objects().iter().map(|id| id.as_str()).collect();
+        assert_eq!(places, ["cow"], "the ball has changes of its own");
+        let before = shot.shot().clone();
+        let edit = shot.moved("figure", &"cow".into());
+        session.apply_to_shot(edit, None).unwrap();
+        let shot = session.shot().unwrap();
+        let targets: Vec<&str> =
+            shot.shot().overrides.iter().map(|it| it.target.as_str()).collect();
+        assert_eq!(
+            targets,
+            [
+                "objects.cow.visible",
+                "objects.ball.transform.scale",
+                "objects.cow.transform.translate"
+            ]
+        );
+        assert!(shot.lost_changes().is_empty());
+        session.undo();
+        assert_eq!(*session.shot().unwrap().shot(), before, "one step");
+        let edit = session.shot().unwrap().lost_changes()[0].taken_back();
+        session.apply_to_shot(edit, None).unwrap();
+        assert_eq!(session.shot().unwrap().lost_changes().len(), 1);
+        let files = session.assets.source().clone();
+        assert_eq!(shots_that_change(&*files, &scene, "figure"), [path]);
+        assert!(shots_that_change(&*files, &scene, "cow").is_empty());
     }
 }
