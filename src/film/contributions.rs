@@ -269,7 +269,8 @@ fn bends_lights(look: &Look, bent: &BentLights, values: &BentValues) -> Diagnost
             tr!("the layer `{value}` is what goes into it; it has no table, for {reason}")
         }
         (several, _) => tr!(
-            "the layers `{layers}` are what goes into it; it has no table, for that is of one value",
+            "the layers `{layers}` are what goes into it; it has no table, for that is of one \
+             value",
             layers = several.join("`, `")
         ),
     };
@@ -323,10 +324,9 @@ impl LookGrades {
 impl LookGrade {
     fn warning(&self, layer: &str, is_one: bool) -> Diagnostic {
         let Self { look, node, table } = self;
-        let message = tr!(
-            "`{node}` changes the sum of the layers of `{look}` and cannot be parted: contributions \
-             add up to what goes into it"
-        );
+        let message =
+            tr!("`{node}` changes the sum of the layers of `{look}` and cannot be parted: \
+             contributions add up to what goes into it");
         let hint = match table {
             Ok(_) if is_one => tr!(
                 "{layer}.cube is what becomes of `{layer}`, divided by `A`: look it up after the \

@@ -3,10 +3,10 @@
 //!
 //! What is kept lies where it was drawn, so that it takes no memory beside the picture's own; it is
 //! forgotten with the targets, and after every error. Only where a frame has further plans, of
-//! mattes or of more layers than one draw writes, a second renderer draws these. In an area that changes, all objects that
-//! have pixels there are drawn again, in their order, from what a cleared picture begins with:
-//! depths that tie, what may be seen through, and passes over the picture need no rule of their
-//! own, and the picture is, to the bit, the one that is drawn whole.
+//! mattes or of more layers than one draw writes, a second renderer draws these. In an area that
+//! changes, all objects that have pixels there are drawn again, in their order, from what a cleared
+//! picture begins with: depths that tie, what may be seen through, and passes over the picture need
+//! no rule of their own, and the picture is, to the bit, the one that is drawn whole.
 
 use std::collections::HashSet;
 

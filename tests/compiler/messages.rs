@@ -1,9 +1,9 @@
 //! Messages: what the window tells of a problem is looked up, so that its user reads it in the
 //! window's language.
 //!
-//! Read are the arguments of `Diagnostic::error`, `warning` and `note`, of `hint`, of `Err`, `ok_or`
-//! and `ok_or_else` and of `#[error(...)]`, and what is bound to `message`, `hint`, `help` or
-//! `reason`. A sentence there, a text of several words, stands in `tr!`, `trn!` or `text!`. A
+//! Read are the arguments of `Diagnostic::error`, `warning` and `note`, of `hint`, of `Err`,
+//! `ok_or` and `ok_or_else` and of `#[error(...)]`, and what is bound to `message`, `hint`, `help`
+//! or `reason`. A sentence there, a text of several words, stands in `tr!`, `trn!` or `text!`. A
 //! message that comes to a diagnostic in another way is not seen.
 
 use std::collections::BTreeSet;

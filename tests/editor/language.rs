@@ -42,6 +42,7 @@ static MARKED: Language = Language::marked(include_str!("../../src/locale/chiaro
 /// Texts that no catalog has: names that the documents give, files, and targets of values.
 const OWN: &[&str] = &[
     ".json",
+    "out/shot",
     "By the eye",
     "Nightfall",
     "Rims of all",

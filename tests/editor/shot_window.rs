@@ -124,7 +124,7 @@ fn a_shot_is_begun_over_the_open_scene() {
     assert_eq!((written.scene.as_str(), written.overrides.len()), ("../scene.json", 1));
     assert_eq!(read(&home.file("scene.json")), SCENE);
     // A shot over that one has what it says, and changes nothing of it.
-    command(&mut hand, "New shot");
+    command(&mut hand, "New shot over this shot");
     assert_eq!((shot(&hand).scene.as_str(), shot(&hand).frames), ("sh010.json", None));
     assert_eq!((intensity(&hand), hand.app().session().shot().unwrap().has_file()), (2.0, false));
 }
@@ -198,7 +198,7 @@ fn a_new_shot_is_saved_under_its_own_name() {
         hand.settle();
         path
     };
-    assert_eq!(offered(&mut hand), home.file("shot.json"));
+    assert_eq!(offered(&mut hand), home.file("shot-2.json"), "a shot.json is there");
     let named = ShotEdit::SetShotName { name: "SH 010".to_owned() };
     hand.app_mut().session_mut().apply_to_shot(named, None).unwrap();
     hand.settle();

@@ -121,6 +121,8 @@ fn keys_of_several_tracks_are_moved_and_stretched_together() {
     hand.settle();
     assert_eq!(*hand.look(), before, "it is one step");
     // The edge of the selection scales about the other end.
+    hand.hover(opacity);
+    hand.key_with(Modifiers::COMMAND, Key::A);
     let end = at(&hand, "End of the selection");
     let start = at(&hand, "Start of the selection");
     hand.drag(end, pos2(0.5 * (start.x + end.x), end.y));

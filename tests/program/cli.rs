@@ -512,7 +512,12 @@ fn a_painting_is_told_from_a_text_wherever_a_document_is_asked_for() {
     let shop = Shop::new();
     shop.run(&["hcbtf", "new", "grass", "--color", "#204080", "--grid", "2x2,2x3,1x1"]).ok();
     fs::copy(shop.path("grass.hcbtf"), shop.path("renamed.json")).unwrap();
-    let told = ["this is a painting", "chiaro hcbtf", "hcbtf_lookup", "example:hcbtf/brick.json"];
+    let told = [
+        "this is a painted surface (HCBTF)",
+        "chiaro hcbtf",
+        "hcbtf_lookup",
+        "example:hcbtf/brick.json",
+    ];
     for file in ["grass.hcbtf", "renamed.json", "example:hcbtf/brick.hcbtf"] {
         for command in [
             &["check"][..],

@@ -217,9 +217,9 @@ fn contributions_of_examples_add_up() {
     }
 }
 
-/// All looks, both spaces, by our reader and by OpenImageIO: minutes. By the reference, which compiles nothing (software for a GPU
-/// takes up to minutes for a module with all of its layers), and small, for what adds up in one
-/// pixel does so in all of its kind.
+/// All looks, both spaces, by our reader and by OpenImageIO: minutes. By the reference, which
+/// compiles nothing (software for a GPU takes up to minutes for a module with all of its layers),
+/// and small, for what adds up in one pixel does so in all of its kind.
 #[cfg(unix)]
 #[test]
 #[ignore = "a soak: every look in both spaces"]

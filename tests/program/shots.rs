@@ -428,8 +428,8 @@ fn changes_are_told_taken_back_and_checked() {
         [
             ("lights.key.color", "sequence.json", &no),
             ("lights.key.color", "shot.json", &yes),
-            ("warm.offset", "shot.json", &yes),
             ("lights.fill.intensity", "shot.json", &yes),
+            ("warm.offset", "shot.json", &yes),
         ]
     );
     let diff = folder.done(&["shot", "shot.json", "--diff"]);

@@ -59,8 +59,9 @@ impl Sheet {
         };
     }
 
-    /// Keeps what is typed for a palette that is opened in this frame, or was not shown yet, so that
-    /// nobody else takes it: a slow window gets a word at once with the key that opens the palette.
+    /// Keeps what is typed for a palette that is opened in this frame, or was not shown yet:
+    /// nobody else takes it, for a slow window gets a word at once with the key that opens the
+    /// palette.
     pub(crate) fn keep_early(&mut self, ui: &Ui) {
         let is_new = matches!(self.open, Some(OpenSheet::Commands { is_new: true, .. }));
         let may_open = self.open.is_none() && !keyboard::is_dialog_open(ui.ctx());

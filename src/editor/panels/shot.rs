@@ -217,10 +217,11 @@ fn views(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         if look.on_hover_text(help).on_disabled_hover_text(help).clicked() {
             out.push(Command::View(ViewCommand::Reset));
         }
-        let help =
-            tr!("The camera of the picture becomes the shot's, and a backdrop that was chosen: at \
-                 this frame where they are keyed. The lights stay the shot's: a turn of them is kept \
-                 over the picture");
+        let help = tr!(
+            "The camera of the picture becomes the shot's, and a backdrop that was chosen: at \
+                 this frame where they are keyed. The lights stay the shot's: a turn of them is \
+                 kept over the picture"
+        );
         let keep = ui.add_enabled(!follows, Button::new(tr!("Keep view")));
         keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, tr!("Keep this view")));
         if keep.on_hover_text(help).clicked() {

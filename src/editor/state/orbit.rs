@@ -194,12 +194,7 @@ impl Orbit {
     /// `before` where nothing moved.
     fn written_camera(&self, before: &Camera) -> Camera {
         let camera = self.camera();
-        let digits = (DIGITS - self.distance.max(1e-3).log10().floor() as i32).clamp(0, 9);
-        let scale = 10.0_f64.powi(digits);
-        let written = |new: f64, old: f64, scale: f64| {
-            let is_same = (new - old).abs() * scale < 0.5;
-            if is_same { old } else { (new * scale).round() / scale + 0.0 }
-        };
+        let scale = self.written_scale();
         let point = |new: [f64; 3], old: [f64; 3], scale: f64| {
             std::array::from_fn(|axis| written(new[axis], old[axis], scale))
         };
@@ -212,6 +207,12 @@ impl Orbit {
             height: written(camera.height, before.height, scale),
             ..camera
         }
+    }
+
+    /// The scale by which distances of this view are whole numbers as they are written.
+    fn written_scale(&self) -> f64 {
+        let digits = DIGITS - self.distance.max(1e-3).log10().floor() as i32;
+        10.0_f64.powi(digits.clamp(0, 9))
     }
 
     /// The camera of this view with the lens of `before`, where the view has that lens, as it is
@@ -231,7 +232,8 @@ impl Orbit {
             }
             Projection::Perspective => camera.height = before.height,
             Projection::Orthographic => {
-                camera.height /= before.widening(aspect);
+                let height = self.camera().height / before.widening(aspect);
+                camera.height = written(height, before.height, self.written_scale());
                 (camera.fov, camera.aspect) = (before.fov, before.aspect);
             }
         }
@@ -436,6 +438,12 @@ impl Orbit {
         self.yaw = 0.5;
         self.pitch = 0.75;
     }
+}
+
+/// A number as it is written: the old one where it stands, or else in steps of one over `scale`.
+fn written(new: f64, old: f64, scale: f64) -> f64 {
+    let is_same = (new - old).abs() * scale < 0.5;
+    if is_same { old } else { (new * scale).round() / scale + 0.0 }
 }
 
 #[cfg(test)]

@@ -47,8 +47,8 @@ pub trait Executor {
     /// The most layers beside the picture that one plan may have.
     fn most_layers(&self) -> usize;
 
-    /// Keeps what was drawn of a picture from now on, if it can: pixels in which nothing changes are
-    /// not shaded again in the next one. Every picture stays what it is, to the bit.
+    /// Keeps what was drawn of a picture from now on, if it can: pixels in which nothing changes
+    /// are not shaded again in the next one. Every picture stays what it is, to the bit.
     fn keep_pixels(&mut self) {}
 
     /// The executor for further plans of the same picture, such as those of mattes, where this one

@@ -135,8 +135,8 @@ fn films_and_scales() -> Vec<CommandRow> {
         row(C::ExportPicture, text!("Export the picture as PNG..."), &[], Window)
             .in_menu(Menu::Export),
         row(C::Scene(SceneCommand::KeepView), text!("Keep this view"), &[], Window).help(text!(
-            "The camera and the backdrop of the picture become the scene's, or the shot's, and in a \
-             scene the turn of the lights, too"
+            "The camera and the backdrop of the picture become the scene's, or the shot's, and in \
+             a scene the turn of the lights, too"
         )),
         row(C::ShowPanel(PanelId::FRAMES), text!("Render frames..."), &[], Window)
             .help(text!(

@@ -270,7 +270,7 @@ mod tests {
         let shape: [(f64, &[f64]); 3] =
             [(0.0, &[0.0, 0.0, 1.0]), (1.0, &[0.6, 0.0, 0.8]), (3.0, &[0.0, 1.0, 0.0])];
         for (interpolation, most) in
-            [(TimeInterpolation::Bezier, 0.05), (TimeInterpolation::Linear, 0.01)]
+            [(TimeInterpolation::Bezier, 0.05), (TimeInterpolation::Linear, 0.08)]
         {
             let keys = keys(interpolation, &shape);
             let track = Track { keys: &keys, ends: TrackEnds::default(), turns: true };

@@ -4,11 +4,14 @@ use chiaro_locale::tr;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::{ColorSpace, Edit, LightField, SceneEdit, ShotEdit, Target, Value};
+use crate::document::{
+    ColorSpace, Edit, LightField, SceneEdit, ShotEdit, ShotKey, Target, TimeKey, Value,
+};
+use crate::frame::Track;
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::state::keying::{KeyedBy, changes_in_time, scene_edit};
 use crate::state::revision::GestureId;
-use crate::state::shot::{ShotAddress, ShotWriter};
+use crate::state::shot::{OpenShot, ShotAddress, ShotWriter};
 use crate::state::wedge::{CellScope, WedgeCell};
 
 /// Gesture of all edits of a cell: they are one step of each document.
@@ -112,7 +115,7 @@ impl Session {
         let mut edits = Vec::new();
         for at in addresses {
             let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
-            if let Some(value) = self.value_in_shot(at) {
+            if let Some(value) = held_by_keys(shot, at, self.view.time) {
                 writer.set_for_all(&at.target, value);
             }
             edits.extend(writer.finish());
@@ -307,6 +310,14 @@ impl Session {
     }
 }
 
+/// The value that keys of a shot itself give at a time, in seconds; `None` without keys.
+fn held_by_keys(shot: &OpenShot, at: &ShotAddress, time: f64) -> Option<Value> {
+    let own = shot.own(at)?;
+    let keys: Vec<TimeKey> = own.keys.iter().map(ShotKey::timed).collect();
+    let track = Track { keys: &keys, ends: own.ends(), turns: false };
+    track.at(shot.rate().frame_within(time))
+}
+
 /// A value for a field of a light of a color space: a color as text is one as shown.
 fn light_value(field: &str, value: &Value, space: ColorSpace) -> Value {
     let is_color = LightField::named(field).is_some_and(|field| field == LightField::Color);
@@ -384,6 +395,7 @@ mod tests {
     fn a_cell_of_a_shot_tells_what_it_keys_and_can_hold_for_all_frames() {
         let folder = tempfile::tempdir().unwrap();
         let mut session = opened(folder.path());
+        session.refresh_keys();
         let before = session.shot().unwrap().shot().clone();
         let mut taken = cell("sun.intensity", Value::Number(3.0));
         taken.frame = Some(7);

@@ -1,6 +1,6 @@
 //! Changes of a shot whose values are no more, such as those of an object that was renamed in the
-//! scene. They stand in no list of what is changed, and stay in the shot's file until they are taken
-//! back or moved to what is there now.
+//! scene. They stand in no list of what is changed, and stay in the shot's file until they are
+//! taken back or moved to what is there now.
 
 use std::path::{Path, PathBuf};
 
