@@ -237,18 +237,12 @@ fn frames_of(
     Ok(frames)
 }
 
-/// Greatest number of files that a message names.
-const NAMED: usize = 6;
-
 /// A warning of files outside the folder of a job, which its machines must find at the same paths.
 fn outside_warning(folder: &Path, document: &Path, outside: &[PathBuf]) -> Option<Diagnostic> {
     if outside.is_empty() {
         return None;
     }
-    let named = outside.iter().take(NAMED).map(|path| path.display().to_string());
-    let named = named.collect::<Vec<_>>().join(", ");
-    let left = outside.len().saturating_sub(NAMED);
-    let more = if left > 0 { format!(" and {left} more") } else { String::new() };
+    let named = used_files::named(outside, |path| path.display().to_string());
     let is_outside = outside.iter().any(|path| path == document);
     let what = match (is_outside, outside.len()) {
         (true, 1) => "the document lies outside this folder",
@@ -257,7 +251,7 @@ fn outside_warning(folder: &Path, document: &Path, outside: &[PathBuf]) -> Optio
     };
     let message = format!(
         "{what}, in which tasks run; every machine must have the same at the same path: \
-         {named}{more}"
+         {named}"
     );
     let files: Vec<&Path> = outside.iter().map(|path| &**path).collect();
     let all = [&[folder], &files[..]].concat();

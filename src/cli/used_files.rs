@@ -13,6 +13,9 @@ use crate::frame::{AssetStore, Assets, PlanOptions, Planner, open};
 
 use super::open::library_of;
 
+/// Greatest number of files that a message names.
+const NAMED: usize = 6;
+
 /// Files of the disk, with those that were read and their states then.
 #[derive(Debug, Default)]
 pub(super) struct RecordedFiles(Mutex<BTreeMap<PathBuf, ReadStates>>);
@@ -127,6 +130,14 @@ pub(super) fn outside(folder: &Path, document: &Path) -> Vec<PathBuf> {
     let absolute: BTreeSet<PathBuf> =
         recorded.paths().iter().map(|path| shortened(&folder.join(path))).collect();
     absolute.into_iter().filter(|path| !path.starts_with(folder)).collect()
+}
+
+/// The names of the first of some files, and the number of the others.
+pub(super) fn named<F>(files: &[F], name: impl Fn(&F) -> String) -> String {
+    let names: Vec<String> = files.iter().take(NAMED).map(name).collect();
+    let left = files.len().saturating_sub(NAMED);
+    let more = if left > 0 { format!(" and {left} more") } else { String::new() };
+    format!("{}{more}", names.join(", "))
 }
 
 /// The innermost folder that holds all of these absolute paths; `None` where that is the root.

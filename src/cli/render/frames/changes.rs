@@ -6,10 +6,7 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::output::Output;
-use crate::used_files::{ChangedFile, FileChange, RecordedFiles};
-
-/// Greatest number of files that a message names.
-const NAMED: usize = 6;
+use crate::used_files::{ChangedFile, FileChange, RecordedFiles, named};
 
 /// Watch over the files that the frames of a run are drawn of.
 #[derive(Debug)]
@@ -64,14 +61,6 @@ impl FileWatch {
             _ => format!("{path} (all frames are of it as it was)"),
         }
     }
-}
-
-/// The first of some files, and the number of the others.
-fn named(files: &[ChangedFile], name: impl Fn(&ChangedFile) -> String) -> String {
-    let names: Vec<String> = files.iter().take(NAMED).map(name).collect();
-    let left = files.len().saturating_sub(NAMED);
-    let more = if left > 0 { format!(" and {left} more") } else { String::new() };
-    format!("{}{more}", names.join(", "))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use chiaro_locale::{Text, text};
-use glam::{DVec2, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 
 use super::tree::LayerTree;
 use super::{STEP, Stack};
@@ -374,9 +374,8 @@ impl Stack {
         let place = match laying {
             MaskLaying::Uvs => None,
             MaskLaying::Straight(laying) => {
-                let pair = |pair: DVec2| Value::Vector(pair.to_array().map(short).to_vec());
                 values.push(("wrap", text("clamp")));
-                values.extend([("scale", pair(laying.scale)), ("offset", pair(laying.offset))]);
+                values.extend(placed(laying));
                 Some(making.turned_place(laying))
             }
         };
@@ -418,10 +417,13 @@ impl Stack {
 
 /// Values of an image that lays a picture over a sphere, by positions in world space.
 fn frame((center, radius): (DVec3, f64)) -> [(&'static str, Value); 2] {
-    let scale = 0.5 / if radius > 0.0 { radius } else { 1.0 };
-    let pair = |x: f64, y: f64| Value::Vector(vec![short(x), short(y)]);
-    let offset = pair(0.5 - center.x * scale, 0.5 - center.y * scale);
-    [("scale", pair(scale, scale)), ("offset", offset)]
+    placed(&StraightLaying::around(center, radius, DQuat::IDENTITY))
+}
+
+/// Values of an image that lies straight through a mesh, by turned places.
+fn placed(laying: &StraightLaying) -> [(&'static str, Value); 2] {
+    let pair = |pair: DVec2| Value::Vector(pair.to_array().map(short).to_vec());
+    [("scale", pair(laying.scale)), ("offset", pair(laying.offset))]
 }
 
 /// A number that is finer than a picture's texels, on large objects too, and short enough to be
@@ -552,8 +554,6 @@ impl<'a> MaskEdits<'a> {
 
 #[cfg(test)]
 mod tests {
-    use glam::DQuat;
-
     use super::*;
     use crate::library::Library;
     use crate::state::masks::painted_of;
