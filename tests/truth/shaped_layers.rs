@@ -3,10 +3,13 @@
 //! where a light does not reach, against the nodes that draw.
 #![cfg(feature = "gpu")]
 
-use crate::support::eval::{eval, look};
+use crate::support::eval::{eval, look, renderer, scene_of, shape, told};
 use crate::support::random::Random;
-use chiaro::frame::{EvalSample, SetupLook};
-use chiaro::library::Context;
+use crate::support::wait::block_on;
+use chiaro::compile::Live;
+use chiaro::document::Scene;
+use chiaro::frame::{EvalSample, PlanOptions, Planner, SetupLook};
+use chiaro::library::{Context, Library};
 use glam::DVec3;
 use serde_json::{Value as Json, json};
 
@@ -218,4 +221,34 @@ fn ink_lies_on_outlines() {
     let inks: Vec<f64> = eval(&lines, "lines.line", &samples).iter().map(|line| line[0]).collect();
     let light = json!({"direction": [0, 0, 1]});
     hold_ink(&drawn_layer(&light, "ink_layer", &values), "layer.line", &samples, &inks);
+}
+
+/// While a look is edited its values are uniforms, and what a group of the library holds inside is
+/// read anew as the document's values are.
+#[test]
+fn bands_and_highlights_stay_where_they_are_while_they_are_edited() {
+    let gray = |at: f64, gray: f64| json!({"at": at, "color": [gray, gray, gray]});
+    let stops = [gray(0.0, 0.75), gray(0.3, 0.5), gray(0.5, 0.25)];
+    let bands = json!({"light": "key", "bands": {"stops": stops, "interpolation": "stepped"}});
+    let highlight = json!({"light": "key", "square": 0.4, "split": 0.2, "star": 0.3});
+    for (kind, values) in [("band_layer", bands), ("highlight_layer", highlight)] {
+        let (mesh, matrix) = shape("sphere");
+        let worn = layer(DVec3::new(0.36, 0.48, 0.8), kind, &values);
+        let scene = Scene { backdrop: None, ..Scene::default() };
+        let setup = scene_of(vec![(worn, mesh, matrix)], scene);
+        let options = PlanOptions { size: [64, 64], samples: 1, time: 0.0 };
+        let [edited, settled] = [Live::All, Live::Keyed].map(|live| {
+            let plan = Planner::default()
+                .plan(&setup, Library::built_in(), &live, &options)
+                .unwrap_or_else(|problems| panic!("{kind}: {}", told(&problems)))
+                .value;
+            block_on(renderer().picture(&plan)).expect("it is drawn").rgba
+        });
+        let far = edited.iter().zip(&settled).filter(|(live, baked)| {
+            live.iter().zip(baked.iter()).any(|(live, baked)| (live - baked).abs() > 0.01)
+        });
+        let far = far.count();
+        assert!(far < 20, "{kind}: {far} of {} pixels differ", settled.len());
+        assert!(settled.iter().any(|pixel| pixel[0] > 0.4), "{kind} shows something");
+    }
 }

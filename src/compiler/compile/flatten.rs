@@ -1065,7 +1065,11 @@ impl<'a> Flattener<'a> {
             let port = self.groups[group].inputs.get(port.as_str())?;
             port.default.as_ref()
         });
-        let default = interface.or(default);
+        // No document reaches into a group of the library: what is written there is what holds.
+        let group = self.scopes[scope].group.map(|group| self.groups[group].kind);
+        let is_of_library = group.is_some_and(|kind| !self.look.definitions.contains_key(kind));
+        let written = explicit.filter(|_| is_of_library);
+        let default = written.or(interface).or(default);
         let value = explicit.or(default).cloned();
         let param = Param {
             path: self.path_of(scope, id),

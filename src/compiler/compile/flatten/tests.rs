@@ -188,3 +188,20 @@ fn of_very_many_problems_some_have_suggestions() {
         MAX_SUGGESTIONS
     );
 }
+
+/// A document has no values for what lies within a group of the library, so that what is written
+/// there stands in for them, also where the document is read anew for a live module.
+#[test]
+fn what_a_group_of_the_library_holds_is_its_own_default() {
+    let mut written = 0;
+    for kind in Library::built_in().groups.keys() {
+        let look = look(&format!(r#"{{"nodes": [{{"id": "own", "kind": "{kind}"}}]}}"#));
+        let (flat, _, _) = flattened(&look);
+        let group = NodePath::parse("own");
+        for param in flat.params.iter().filter(|param| param.path != group) {
+            assert_eq!(param.default, param.value, "{kind}: {}.{}", param.path, param.port);
+            written += usize::from(param.value.is_some());
+        }
+    }
+    assert!(written > 20, "{written} values");
+}
