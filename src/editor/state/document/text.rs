@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::{FileDocument, FileRefusals, OnDisk, OpenDocument};
+use crate::diag::{Diagnostic, Place};
 use crate::document::{LoadedDocument, Look, Scene, Shot, SourceMap};
 
 /// A text file in its state when it was last read or written.
@@ -89,6 +90,22 @@ where
         let source = D::read_text(text, &path.display().to_string()).source;
         let file = self.file.written(source);
         self.was_written(path.to_owned(), file);
+    }
+
+    /// Tells the problems of the file again, in the language that is spoken now. Where the file as
+    /// it was read has other problems, those that are told stay: they are of another text.
+    pub(crate) fn tell_again(&mut self) {
+        if self.load_problems.is_empty() {
+            return;
+        }
+        let file = self.path.as_deref().map(|path| path.display().to_string());
+        let told = D::read_text(self.file.source.text(), &file.unwrap_or_default()).diagnostics;
+        let of = |problems: &[Diagnostic]| -> Vec<(&'static str, Place)> {
+            problems.iter().map(|problem| (problem.code, problem.place.clone())).collect()
+        };
+        if of(&told) == of(&self.load_problems) {
+            self.load_problems = told;
+        }
     }
 
     /// Takes the file as another program wrote it; the document means the same.
