@@ -115,3 +115,28 @@ where
         self.history.mark_saved();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::History;
+
+    #[test]
+    fn problems_of_a_file_are_told_again() {
+        let LoadedDocument { source, diagnostics, .. } =
+            Look::read(r#"{"nodes": [], "odd": 1}"#, "");
+        assert!(!diagnostics.is_empty());
+        let mut open =
+            OpenDocument::new(History::new(Look::default()), None, TextFile::new(source));
+        let mut before = diagnostics.clone();
+        before[0].message = "in another language".to_owned();
+        open.load_problems = before.clone();
+        open.tell_again();
+        assert_eq!(open.load_problems, diagnostics);
+        // What another program wrote since cannot be told of this text.
+        before.push(Diagnostic::error("odd", "it is odd"));
+        open.load_problems = before.clone();
+        open.tell_again();
+        assert_eq!(open.load_problems, before);
+    }
+}
