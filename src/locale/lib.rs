@@ -60,6 +60,8 @@ impl Language {
 }
 
 const MARKED_TAG: &str = "qps";
+/// Tag of English, which has no catalog.
+const ENGLISH_TAG: &str = "en";
 
 /// Form of a text that counts where one alone is another form than all others.
 pub fn one_or_many(count: u64) -> usize {
@@ -80,6 +82,12 @@ pub fn spoken() -> Option<&'static Language> {
         return None;
     }
     *SPOKEN.read().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Tag of the language that is spoken: a message that was told under another tag is in other words
+/// now.
+pub fn spoken_tag() -> &'static str {
+    spoken().map_or(ENGLISH_TAG, |language| language.tag)
 }
 
 thread_local! {
@@ -221,6 +229,7 @@ msgstr ""
         assert_eq!(tr!("Cancel"), "«Cancel»");
         assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "«Ada has 2.2»");
         assert_eq!(layers(3), "«3 layers»");
+        assert_eq!([spoken_tag(), in_english(spoken_tag)], ["qps", "en"]);
         speak(Some(&LISTED));
         assert_eq!([tr_in("tool", "Cancel"), tr_in("tool", "Fill")], ["«Cancel»", "«Fill»"]);
         assert_eq!([tr("Fill"), tr("no list has this")], ["Fill", "no list has this"]);

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::shader::LANES;
 use super::uniform;
 use crate::diag::Diagnostic;
@@ -80,7 +82,8 @@ impl Evaluator {
     ) -> Result<Vec<[f64; 4]>, Diagnostic> {
         let bindings = self.with(samples, count);
         let first = |problems: Vec<Diagnostic>| {
-            let nothing = || Diagnostic::error("reference-plan", "what a module reads is missing");
+            let nothing =
+                || Diagnostic::error("reference-plan", tr!("what a module reads is missing"));
             problems.into_iter().next().unwrap_or_else(nothing)
         };
         run(&self.program.bind(&bindings, precision).map_err(first)?, count, progress)
@@ -111,10 +114,10 @@ fn run(
     let program = bound.program();
     let mut lanes = bound.lanes()?;
     let [position] = program.inputs() else {
-        return Err(Diagnostic::error("reference-plan", "the module evaluates no samples"));
+        return Err(Diagnostic::error("reference-plan", tr!("the module evaluates no samples")));
     };
     let [value] = program.outputs() else {
-        return Err(Diagnostic::error("reference-plan", "the module gives no value"));
+        return Err(Diagnostic::error("reference-plan", tr!("the module gives no value")));
     };
     let mut values = Vec::with_capacity(count);
     let mut row = [0.0; LANES];

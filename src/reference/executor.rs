@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use chiaro_locale::tr;
+
 use super::fullscreen::shade_all;
 use super::geometry::Triangles;
 use super::options::{ImageRounding, ReferenceOptions};
@@ -133,7 +135,7 @@ pub fn execute_layered(
     let mut images = PassImages::default();
     let picture = run(plan, (&mut images, &mut layers), shaders, options, progress)?;
     let missing =
-        || Diagnostic::error("reference-plan", "the plan has no pass that makes the picture");
+        || Diagnostic::error("reference-plan", tr!("the plan has no pass that makes the picture"));
     Ok((picture.ok_or_else(missing)?, layers))
 }
 

@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::executor::{PassImages, ShaderFactory};
 use super::probe::PixelWatch;
 use super::shader::{
@@ -138,7 +140,7 @@ impl Modules {
         self.looks
             .get(&address(shader))
             .map(|(_, stages)| stages)
-            .ok_or_else(|| missing("a module of another plan"))
+            .ok_or_else(|| missing(tr!("a module of another plan")))
     }
 
     /// Bindings of a draw's look, with the values of the plan.
@@ -200,22 +202,28 @@ impl Modules {
                         .zip(shader.needs.images.get(*index));
                     let texture = key
                         .and_then(|(image, used)| self.images.get(&(image.hash, used.is_decoded)));
-                    bindings.texture(0, at, texture.ok_or_else(|| missing("an image"))?.clone());
+                    bindings.texture(
+                        0,
+                        at,
+                        texture.ok_or_else(|| missing(tr!("an image")))?.clone(),
+                    );
                 }
                 BindingKind::Sampler(index) => {
                     let used =
-                        shader.needs.images.get(*index).ok_or_else(|| missing("an image"))?;
+                        shader.needs.images.get(*index).ok_or_else(|| missing(tr!("an image")))?;
                     bindings.sampler(0, at, sampler_of(used));
                 }
                 BindingKind::Pass(pass) if pass.is_of_lights() => {
-                    let texels = images.first(*pass).ok_or_else(|| missing("what lights see"))?;
+                    let texels =
+                        images.first(*pass).ok_or_else(|| missing(tr!("what lights see")))?;
                     bindings.texture(0, at, layers(texels)?);
                 }
                 BindingKind::Pass(pass) => {
                     bindings.texture(0, at, map(images.first(*pass), plan.size)?);
                 }
                 BindingKind::Casters => {
-                    let texture = self.casters.clone().ok_or_else(|| missing("casters"))?;
+                    let texture =
+                        self.casters.clone().ok_or_else(|| missing(tr!("type" => "casters")))?;
                     bindings.texture(0, at, texture);
                 }
                 BindingKind::Samples => {}
@@ -232,7 +240,7 @@ fn address(shader: &Arc<CompiledShader>) -> usize {
 
 #[cold]
 fn missing(what: &str) -> Diagnostic {
-    Diagnostic::error("reference-plan", format!("the plan lacks {what}"))
+    Diagnostic::error("reference-plan", tr!("the plan lacks {what}"))
 }
 
 impl ShaderFactory for Modules {
@@ -243,8 +251,8 @@ impl ShaderFactory for Modules {
         pass: PassId,
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let stage = pass.stage().ok_or_else(|| missing("the module of a pass"))?;
-        let shader = draw.module(stage).ok_or_else(|| missing("a module of a draw"))?;
+        let stage = pass.stage().ok_or_else(|| missing(tr!("the module of a pass")))?;
+        let shader = draw.module(stage).ok_or_else(|| missing(tr!("a module of a draw")))?;
         let stages = self.stages(shader)?;
         let bindings = self.bindings_for(plan, draw, shader, images)?;
         let mut bindable = BoundModule::new(stages, &bindings, self.precision, Some(&draw.mesh))?;
@@ -260,7 +268,7 @@ impl ShaderFactory for Modules {
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
         let (module, stages) =
-            self.screens.get(&pass).ok_or_else(|| missing("the module of a pass"))?;
+            self.screens.get(&pass).ok_or_else(|| missing(tr!("the module of a pass")))?;
         let mut bindings = Bindings::new();
         for binding in &module.bindings {
             match &binding.holds {
@@ -306,7 +314,8 @@ impl Modules {
         caster: &'a MapCaster,
         first: Option<&Texture>,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        let (_, stages) = self.lights.get(&pass).ok_or_else(|| missing("the module of a pass"))?;
+        let (_, stages) =
+            self.lights.get(&pass).ok_or_else(|| missing(tr!("the module of a pass")))?;
         let mut bindings = Bindings::new();
         buffer(&mut bindings, stages, 0, &layer.uniform.numbers);
         buffer(&mut bindings, stages, 1, &caster.uniform.numbers);
@@ -322,7 +331,7 @@ fn misplaced(pass: PassId, read: PassId) -> Diagnostic {
     let (pass, read) = (pass.label(), read.label());
     Diagnostic::error(
         "reference-plan",
-        format!("the plan has the pass `{pass}` before `{read}`, which it reads"),
+        tr!("the plan has the pass `{pass}` before `{read}`, which it reads"),
     )
 }
 
@@ -440,7 +449,7 @@ impl<'a> BoundModule<'a> {
 
 #[cold]
 fn first(problems: Vec<Diagnostic>) -> Diagnostic {
-    problems.into_iter().next().unwrap_or_else(|| missing("what a module reads"))
+    problems.into_iter().next().unwrap_or_else(|| missing(tr!("what a module reads")))
 }
 
 fn by_location(ports: &[LanePort]) -> Vec<&LanePort> {
@@ -489,7 +498,7 @@ impl VertexStage for Vertices<'_> {
             .outputs()
             .iter()
             .find(|port| matches!(port.builtin(), Some(naga::BuiltIn::Position { .. })));
-        let clip = clip.ok_or_else(|| missing("the position of a vertex"))?;
+        let clip = clip.ok_or_else(|| missing(tr!("the position of a vertex")))?;
         let written: Vec<&LanePort> =
             std::iter::once(clip).chain(by_location(program.outputs())).collect();
         let stride: usize = written.iter().map(|port| port.size).sum();
@@ -559,7 +568,7 @@ impl FragmentStage for Fragments<'_> {
                     (Some(naga::BuiltIn::Position { .. }), _) => batch.position(component),
                     (Some(naga::BuiltIn::FrontFacing), _) => &front[..],
                     (_, Some(start)) => batch.varying(start + component),
-                    _ => return Err(missing("what a fragment reads")),
+                    _ => return Err(missing(tr!("what a fragment reads"))),
                 };
                 lanes.write(port, component, &row[..count]);
             }

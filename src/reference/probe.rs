@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+use chiaro_locale::tr;
+
 use super::executor::execute;
 use super::modules::Modules;
 use super::options::ReferenceOptions;
@@ -94,12 +96,10 @@ pub fn probe(
     progress: &Progress,
 ) -> Result<Option<ProbedFragment>, Diagnostic> {
     if pixel[0] >= plan.size[0] || pixel[1] >= plan.size[1] {
-        let message = format!(
-            "there is no pixel {},{} in {}x{}",
-            pixel[0], pixel[1], plan.size[0], plan.size[1]
-        );
+        let ([x, y], [width, height]) = (pixel, plan.size);
+        let message = tr!("there is no pixel {x},{y} in {width}x{height}");
         return Err(Diagnostic::error("reference-plan", message)
-            .hint("columns and rows are counted from 0"));
+            .hint(tr!("columns and rows are counted from 0")));
     }
     let modules =
         Modules::watching(plan, precision, PixelWatch { pixel, found: Mutex::new(None) })?;

@@ -14,6 +14,8 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use chiaro_locale::tr;
+
 use super::batches::{Batcher, Quad};
 use super::coverage::Edges;
 use super::geometry::{Geometry, TRIANGLES, TileGrid, Triangles};
@@ -103,19 +105,18 @@ pub fn rasterize(
 /// Refuses pictures that would take too much memory, and numbers of samples that do not exist.
 pub(super) fn check_size(size: [u32; 2], samples: u32) -> Result<(), Diagnostic> {
     if !matches!(samples, 1 | 4) {
-        let message = format!("a pixel has 1 or 4 samples, not {samples}");
+        let message = tr!("a pixel has 1 or 4 samples, not {samples}");
         return Err(Diagnostic::error("reference-samples", message));
     }
     let count = u64::from(size[0]) * u64::from(size[1]) * u64::from(samples);
     if count <= MAX_SAMPLES && size[0].max(size[1]) <= MAX_SIDE {
         return Ok(());
     }
-    let message = format!(
-        "{}x{} pixels of {samples} samples are too many for the reference",
-        size[0], size[1]
-    );
+    let [width, height] = size;
+    let message =
+        tr!("{width}x{height} pixels of {samples} samples are too many for the reference");
     Err(Diagnostic::error("reference-too-large", message)
-        .hint("use a smaller picture, or one sample a pixel"))
+        .hint(tr!("use a smaller picture, or one sample a pixel")))
 }
 
 impl<'a> RasterPass<'a> {

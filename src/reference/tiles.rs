@@ -8,6 +8,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
 use super::eval::Evaluator;
@@ -75,7 +76,7 @@ pub fn bake_look_sampled(
     grid.check().map_err(|why| one(Diagnostic::error("hcbtf-grid", why)))?;
     check_all_painted(&grid).map_err(one)?;
     if !samples.is_power_of_two() || samples > MAX_TILE_SAMPLES {
-        let message = format!(
+        let message = tr!(
             "a texel cannot have {samples} samples: 1, 2, 4 and so on up to {MAX_TILE_SAMPLES}"
         );
         return Err(one(Diagnostic::error("out-of-range", message)));
@@ -137,7 +138,7 @@ impl LookBaker<'_> {
         }
         // The loop has pushed four bytes for every texel.
         let tile = Tile::new(size, rgba)
-            .ok_or_else(|| Diagnostic::error("hcbtf-grid", "a tile has no texels"))?;
+            .ok_or_else(|| Diagnostic::error("hcbtf-grid", tr!("a tile has no texels")))?;
         Ok((tile, halves))
     }
 

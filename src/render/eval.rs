@@ -118,9 +118,7 @@ impl Renderer {
                 BindingKind::Pass(_) => Some(wgpu::BindingResource::TextureView(&unseen)),
                 _ => None,
             };
-            let missing = || RenderError::Refused {
-                message: format!("nothing to bind to `{}`", binding.name),
-            };
+            let missing = || RenderError::unbound(&binding.name);
             entries.push(wgpu::BindGroupEntry {
                 binding: binding.binding,
                 resource: resource.ok_or_else(missing)?,

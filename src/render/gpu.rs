@@ -3,7 +3,9 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
-use super::error::RenderError;
+use chiaro_locale::tr;
+
+use super::error::{LimitedSize, RenderError};
 use super::store::{Store, UploadCounts};
 use super::target::PICTURE;
 use crate::diag::Diagnostic;
@@ -63,7 +65,7 @@ impl Gpu {
     /// # Errors
     /// A system without adapters, and an adapter that gives no device.
     pub async fn headless() -> Result<Self, RenderError> {
-        let mut failure = String::from("no backend was tried");
+        let mut failure = tr!("no backend was tried").to_owned();
         let mut found = None;
         // OpenGL is tried last: its libraries print messages about missing displays.
         let wanted = wgpu::Backends::from_env()
@@ -138,12 +140,19 @@ impl Gpu {
         if blends && (samples == 1 || self.samples_floats) {
             return Ok(self.precise());
         }
-        let lacks = if blends { "average samples" } else { "blend" };
-        let message = format!(
-            "{} cannot {lacks} in 32 bits: numbers are drawn in 16 bits and written in 32",
-            self.name()
-        );
-        let hint = if blends { "--samples 1 draws in 32 bits" } else { "--on reference can" };
+        let gpu = self.name();
+        let (message, hint) = if blends {
+            let message = tr!(
+                "{gpu} cannot average samples in 32 bits: numbers are drawn in 16 bits and written \
+                 in 32"
+            );
+            (message, tr!("`--samples 1` draws in 32 bits"))
+        } else {
+            let message = tr!(
+                "{gpu} cannot blend in 32 bits: numbers are drawn in 16 bits and written in 32"
+            );
+            (message, tr!("`--on reference` can"))
+        };
         Err(Diagnostic::warning("no-floats", message).hint(hint))
     }
 
@@ -192,12 +201,12 @@ impl Gpu {
         if self.has_blocks() || decoded == 0 {
             return Vec::new();
         }
-        let message = format!(
-            "{} has no compressed textures: its HCBTFs take {} MiB",
-            self.name(),
-            decoded >> 20
+        let message = tr!(
+            "{gpu} has no compressed textures: painted surfaces (HCBTFs) take {mib} MiB there",
+            gpu = self.name(),
+            mib = decoded >> 20
         );
-        let hint = "the picture is the same; the storage `compact` may take less here";
+        let hint = tr!("the picture is the same; the storage `compact` may take less here");
         vec![Diagnostic::warning("no-blocks", message).hint(hint)]
     }
 
@@ -246,8 +255,11 @@ impl Gpu {
         let limit = self.device.limits().max_texture_dimension_2d;
         let side = size[0].max(size[1]);
         if side > limit {
-            let what = "a side of the picture in pixels".to_owned();
-            return Err(RenderError::TooLarge { what, size: side.into(), limit: limit.into() });
+            return Err(RenderError::TooLarge {
+                what: LimitedSize::PictureSide,
+                size: side.into(),
+                limit: limit.into(),
+            });
         }
         Ok(())
     }
@@ -260,7 +272,8 @@ fn set(slot: &Mutex<Option<RenderError>>, error: RenderError) {
 fn from_wgpu(error: wgpu::Error) -> RenderError {
     match error {
         wgpu::Error::OutOfMemory { .. } => {
-            RenderError::OutOfMemory { what: "this picture".to_owned() }
+            let message = tr!("the GPU has not enough memory for this picture").to_owned();
+            RenderError::OutOfMemory { message }
         }
         wgpu::Error::Validation { description, .. } | wgpu::Error::Internal { description, .. } => {
             RenderError::Refused { message: description }

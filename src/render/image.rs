@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use wgpu::util::DeviceExt as _;
 
-use super::error::RenderError;
+use super::error::{LimitedSize, RenderError};
 use super::gpu::Gpu;
 use crate::compile::{ImageShape, ImageUse};
 use crate::frame::Image;
@@ -118,14 +118,13 @@ impl ImageTable {
         let limits = gpu.device.limits();
         for (what, size, limit) in [
             (
-                "a side of an image in pixels",
+                LimitedSize::ImageSide,
                 image.size[0].max(image.size[1]),
                 limits.max_texture_dimension_2d,
             ),
-            ("the layers of an HCBTF", image.layers, limits.max_texture_array_layers),
+            (LimitedSize::HcbtfLayers, image.layers, limits.max_texture_array_layers),
         ] {
             if size > limit {
-                let what = what.to_owned();
                 return Err(RenderError::TooLarge { what, size: size.into(), limit: limit.into() });
             }
         }

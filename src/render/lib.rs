@@ -7,6 +7,7 @@
 
 use chiaro_compiler::compile;
 use chiaro_language::{clock, diag, milestones, progress};
+use chiaro_locale::tr;
 use chiaro_scene::{frame, geometry, hcbtf};
 
 mod casters;
@@ -34,7 +35,7 @@ use crate::frame::{DisplayModule, FramePlan, LayeredPicture, PassId};
 
 pub use crate::frame::Picture;
 
-pub use error::RenderError;
+pub use error::{LimitedSize, RenderError};
 pub use gpu::{Gpu, device_descriptor};
 pub use store::UploadCounts;
 pub use timer::{PassTime, set_times};
@@ -204,7 +205,7 @@ impl Renderer {
         self.draw(plan).await?;
         let texture = self
             .shown()
-            .ok_or(RenderError::Lost { message: "the picture has no target".to_owned() })?;
+            .ok_or(RenderError::Lost { message: tr!("the picture has no target").to_owned() })?;
         readback::read_picture(&self.gpu, texture).await
     }
 
@@ -215,7 +216,7 @@ impl Renderer {
     pub async fn layered(&mut self, plan: &FramePlan) -> Result<LayeredPicture, RenderError> {
         let (size, limit) = (plan.aovs.len() as u64, self.gpu.most_layers() as u64);
         if size > limit {
-            return Err(RenderError::TooLarge { what: "the layers".to_owned(), size, limit });
+            return Err(RenderError::TooLarge { what: LimitedSize::PictureLayers, size, limit });
         }
         let picture = self.picture(plan).await?;
         let mut layers = Vec::with_capacity(plan.aovs.len());

@@ -4,6 +4,8 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use chiaro_locale::tr;
+
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::target::{DEPTH, format_of};
@@ -148,7 +150,7 @@ pub(super) fn with_stack<T: Send>(
     work: impl FnOnce() -> T + Send,
 ) -> Result<T, RenderError> {
     let no_thread = |error: std::io::Error| RenderError::OutOfMemory {
-        what: format!("the compiler of this look ({error})"),
+        message: tr!("there is not enough memory for the compiler of this look: {error}"),
     };
     #[expect(
         clippy::disallowed_methods,

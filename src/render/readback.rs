@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
+use chiaro_locale::tr;
 use half::f16;
 
-use super::error::RenderError;
+use super::error::{LimitedSize, RenderError};
 use super::gpu::Gpu;
 use crate::frame::Picture;
 
@@ -77,7 +78,7 @@ async fn read_rows(
     let size = u64::from(padded) * u64::from(texture.height());
     let limit = gpu.device.limits().max_buffer_size;
     if size > limit {
-        return Err(RenderError::TooLarge { what: "the picture in bytes".to_owned(), size, limit });
+        return Err(RenderError::TooLarge { what: LimitedSize::PictureBytes, size, limit });
     }
     let guard = gpu.guard();
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -126,7 +127,7 @@ fn read_mapped<T>(
     match told.recv_timeout(PATIENCE) {
         Ok(Ok(())) => {}
         Ok(Err(error)) => return Err(lost(error.to_string())),
-        Err(_) => return Err(lost("what was asked for never came back".to_owned())),
+        Err(_) => return Err(lost(tr!("what was asked for never came back").to_owned())),
     }
     let mapped = buffer.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
     Ok(look(&mapped))

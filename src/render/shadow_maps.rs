@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use std::num::NonZeroU64;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::gpu::Gpu;
 use super::passes::{
     DepthTest, PipelineParts, UNFILTERED, depth_attachment, layout_of, targets_of, texels_type,
@@ -41,7 +43,7 @@ impl LightPipeline {
         let refused = |message: String| RenderError::Refused { message };
         let module = LightModule::of(pass)
             .map_err(|problems| refused(problems[0].message.clone()))?
-            .ok_or_else(|| refused(format!("`{}` draws no lights", pass.label())))?;
+            .ok_or_else(|| refused(tr!("`{pass}` draws no lights", pass = pass.label())))?;
         let numbers = [(0, uniform_type(true)), (1, uniform_type(true))];
         let layers = texels_type(UNFILTERED, wgpu::TextureViewDimension::D2Array);
         let bindings = numbers.into_iter().chain(module.reads.map(|_| (2, layers)));

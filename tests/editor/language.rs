@@ -139,6 +139,34 @@ fn german_panels_have_room() {
     assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
 }
 
+/// Pyramid without normals, which the import makes and tells of.
+const PYRAMID: &str = "v -1 0 -1\nv 1 0 -1\nv 0 0 1\nv 0 2 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+
+#[test]
+fn notes_of_a_mesh_follow_the_language() {
+    if !is_alone("notes_of_a_mesh_follow_the_language") {
+        return;
+    }
+    let home = Home::new();
+    let mesh = home.file("pyramid.obj");
+    std::fs::write(&mesh, PYRAMID).unwrap();
+    let mut hand = User::drawing();
+    hand.app_mut().show_on(mesh.to_str().unwrap());
+    hand.settle();
+    assert!(hand.says("normals were made for 12 corners"));
+
+    let told =
+        [("deutsch", "Normalen wurden für 12 Ecken gemacht"), ("english", "normals were made")];
+    for (language, told) in told {
+        hand.key_with(Modifiers::COMMAND, Key::P);
+        hand.type_text(&format!("language: {language}"));
+        hand.key(Key::Enter);
+        hand.settle();
+        let both = ["normals were made", "Normalen wurden"].map(|words| hand.says(words));
+        assert!(hand.says(told) && both.iter().filter(|says| **says).count() == 1, "{told}");
+    }
+}
+
 #[test]
 fn what_is_not_looked_up_is_found() {
     assert!(is_missed("Add layer") && is_missed("«Opacity» of layer"));

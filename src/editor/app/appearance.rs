@@ -32,6 +32,7 @@ impl App {
     pub(super) fn speak(&mut self, tag: Option<&str>) {
         self.safety.change_settings(|settings| settings.language = tag.map(str::to_owned));
         self.safety.settings.speak();
+        self.session.tell_again();
     }
 
     /// Shows the menu of languages, by their own names.

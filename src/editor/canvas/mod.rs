@@ -157,7 +157,7 @@ impl Canvas {
 
     fn sync(&mut self, ui: &Ui, session: &Session) {
         let revisions = (session.revisions().document, session.revision());
-        let language = chiaro_locale::spoken().map_or("en", |language| language.tag);
+        let language = chiaro_locale::spoken_tag();
         let key = (revisions.0, revisions.1, session.selection.graph_number(), language);
         let group = match session.selection.graph_id() {
             GraphId::Look => None,

@@ -188,9 +188,9 @@ impl fmt::Display for Diagnostic {
             write!(f, "{location}: ")?;
         }
         let severity = match self.severity {
-            Severity::Note => "note",
-            Severity::Warning => "warning",
-            Severity::Error => "error",
+            Severity::Note => tr!("severity" => "note"),
+            Severity::Warning => tr!("severity" => "warning"),
+            Severity::Error => tr!("severity" => "error"),
         };
         write!(f, "{severity}[{}]: {}", self.code, self.message)?;
         let mut context = Vec::new();

@@ -3,6 +3,7 @@
 
 mod arrival;
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use self::arrival::Arrival;
@@ -83,7 +84,10 @@ pub fn light_accounts(
                 let of_light = kept_away.iter().filter(|layer| layer.reach.light == account.light);
                 // What is left out tells more than what is so, and stands first.
                 let away = of_light.map(|layer| (&layer.reach.node, &layer.reach.words));
-                let away: String = away.map(|(node, why)| format!("not {node}: {why}; ")).collect();
+                let away: String = away
+                    .map(|(node, why)| tr!("not {node}: {why}"))
+                    .map(|away| format!("{away}; "))
+                    .collect();
                 account.rule = away + &account.rule;
                 account.readings = readings(&look.look, library, &account.light, wires);
             }

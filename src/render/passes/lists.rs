@@ -14,7 +14,7 @@ use crate::compile::{BindingKind, CompiledShader, Stage, Uniform};
 use crate::frame::{Draw, FramePlan, PixelArea};
 use crate::mesh::Meshes;
 use crate::pipeline::{DepthUse, LookPipeline, Sides};
-use crate::{RenderError, Renderer};
+use crate::{LimitedSize, RenderError, Renderer};
 
 /// Draw lists of one pass with everything that they read.
 pub(super) struct BoundLists<'p>(Vec<BoundList<'p>>);
@@ -50,7 +50,7 @@ impl UniformBytes {
     fn push(&mut self, uniform: &[u8]) -> Result<u32, RenderError> {
         self.bytes.resize(self.bytes.len().next_multiple_of(self.alignment), 0);
         let too_large = |_| RenderError::TooLarge {
-            what: "the uniforms of this picture in bytes".to_owned(),
+            what: LimitedSize::UniformBytes,
             size: self.bytes.len() as u64,
             limit: u32::MAX.into(),
         };
@@ -162,9 +162,7 @@ fn offsets(
             match binding.kind {
                 BindingKind::Object => offsets.push(uniforms.push(&draw.object_uniform.bytes)?),
                 BindingKind::Look => {
-                    let missing = || RenderError::Refused {
-                        message: format!("nothing to bind to `{}`", binding.name),
-                    };
+                    let missing = || RenderError::unbound(&binding.name);
                     let uniform = draw.look_uniforms.get(&stage).ok_or_else(missing)?;
                     offsets.push(uniforms.push_shared(uniform)?);
                 }

@@ -62,9 +62,7 @@ impl Renderer {
         };
         let mut entries = Vec::with_capacity(shader.bindings.len());
         for binding in &shader.bindings {
-            let missing = || RenderError::Refused {
-                message: format!("nothing to bind to `{}`", binding.name),
-            };
+            let missing = || RenderError::unbound(&binding.name);
             let found = uniform_of(&binding.kind).or_else(|| resources.get(&binding.kind));
             let resource = found.ok_or_else(missing)?;
             entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource });

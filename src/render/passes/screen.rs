@@ -8,6 +8,8 @@
 
 use std::collections::hash_map::Entry;
 
+use chiaro_locale::tr;
+
 use super::{
     DepthTest, PipelineParts, UNFILTERED, layout_of, targets_of, texels_type, uniform, uniform_type,
 };
@@ -33,7 +35,7 @@ impl ScreenPipeline {
         let refused = |message: String| RenderError::Refused { message };
         let module = ScreenModule::of(pass)
             .map_err(|problems| refused(problems[0].message.clone()))?
-            .ok_or_else(|| refused(format!("`{}` draws meshes", pass.label())))?;
+            .ok_or_else(|| refused(tr!("`{pass}` draws meshes", pass = pass.label())))?;
         let layout = layout(gpu, pass, &module);
         let parts = PipelineParts {
             label: pass.label(),
@@ -107,7 +109,7 @@ impl Renderer {
         for binding in &module.bindings {
             let ScreenResource::Image(image) = &binding.holds else { continue };
             let missing = || RenderError::Refused {
-                message: format!("`{}` comes before what it reads", pass.label()),
+                message: tr!("`{pass}` comes before what it reads", pass = pass.label()),
             };
             let view = self.targets.image(*image).ok_or_else(missing)?;
             entries.push(entry(binding.binding, wgpu::BindingResource::TextureView(view)));

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use chiaro_locale::tr;
 
-use super::store::{AssetStore, FileStamp, HcbtfKey};
+use super::store::{AssetStamp, AssetStore, HcbtfKey};
 use crate::cache::{CachedValue, EntryReader, EntryWriter, cached};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
@@ -131,17 +131,17 @@ impl CachedValue for Image {
 /// An asset that a picture uses.
 #[derive(Clone, Debug)]
 struct UsedAsset<T> {
-    stamp: FileStamp,
+    stamp: AssetStamp,
     warned: WithWarnings<Arc<T>>,
     /// Round in which the asset was asked for last.
     round: u64,
 }
 
 impl<T> UsedAsset<T> {
-    /// The asset, if its file has not changed since it was read.
-    fn at(&mut self, stamp: FileStamp, round: u64) -> Option<WithWarnings<Arc<T>>> {
+    /// The asset, if its file has not changed since it was read, nor the language of its warnings.
+    fn at(&mut self, stamp: AssetStamp, round: u64) -> Option<WithWarnings<Arc<T>>> {
         self.round = round;
-        (self.stamp == stamp).then(|| self.warned.clone())
+        self.stamp.is_same(stamp, &self.warned.warnings).then(|| self.warned.clone())
     }
 }
 
@@ -340,7 +340,7 @@ impl Assets {
         }
         let path = folder.join(name);
         let key = path.display().to_string();
-        let (stamp, round) = (self.source().metadata(&path), self.round);
+        let (stamp, round) = (AssetStamp::now(self.source().metadata(&path)), self.round);
         if let Some(known) = self.meshes.get_mut(&key).and_then(|used| used.at(stamp, round)) {
             return Ok(known);
         }
@@ -363,8 +363,8 @@ impl Assets {
 
     fn shape(&mut self, name: &str) -> Result<Arc<Mesh>, Vec<Diagnostic>> {
         let key = format!("{SHAPE_PREFIX}{name}");
-        let round = self.round;
-        if let Some(known) = self.meshes.get_mut(&key).and_then(|used| used.at(None, round)) {
+        let (stamp, round) = (AssetStamp::now(None), self.round);
+        if let Some(known) = self.meshes.get_mut(&key).and_then(|used| used.at(stamp, round)) {
             return Ok(known.value);
         }
         let shape = || {
@@ -380,8 +380,8 @@ impl Assets {
                     .hint(tr!("the shapes are {names}", names = names.join(", "))),
             ])
         };
-        let warned = self.store.mesh(&key, None, shape)?;
-        self.meshes.insert(key, UsedAsset { stamp: None, warned: warned.clone(), round });
+        let warned = self.store.mesh(&key, stamp, shape)?;
+        self.meshes.insert(key, UsedAsset { stamp, warned: warned.clone(), round });
         Ok(warned.value)
     }
 
@@ -392,7 +392,7 @@ impl Assets {
     pub fn image(&mut self, folder: &Path, path: &str) -> Result<Arc<Image>, Diagnostic> {
         let path = folder.join(path);
         let file = within(&path).map_or(path.as_path(), |(file, _)| file);
-        let (stamp, round) = (self.source().metadata(file), self.round);
+        let (stamp, round) = (AssetStamp::now(self.source().metadata(file)), self.round);
         if let Some(known) = self.images.get_mut(&path).and_then(|used| used.at(stamp, round)) {
             return Ok(known.value);
         }
@@ -491,7 +491,7 @@ impl Assets {
         if let Some(image) = self.overlaid(&path, options) {
             return Ok(image.map_err(|problem| vec![problem])?.into());
         }
-        let (stamp, round) = (self.source().metadata(&path), self.round);
+        let (stamp, round) = (AssetStamp::now(self.source().metadata(&path)), self.round);
         let key = HcbtfKey { path, options, is_draft: self.drafts };
         if let Some(known) = self.hcbtfs.get_mut(&key).and_then(|used| used.at(stamp, round)) {
             return Ok(known);

@@ -221,7 +221,7 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
                     .costs(cost)
             }
             None => {
-                let reason = "no live node reads it, so that it is neither uploaded nor bound";
+                let reason = tr!("no live node reads it, so that it is neither uploaded nor bound");
                 Effect::dropped(what, EffectKind::Attribute, reason, Proof::Unreachable).costs(cost)
             }
         });
@@ -250,11 +250,11 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     }
     let bytes = u64::from(shader.host.size);
     push(if bytes > 0 {
-        let reason = "values that are known before the fragment";
+        let reason = tr!("values that are known before the fragment");
         Effect::runs(tr!("uniforms of the look"), EffectKind::Uniforms, reason)
             .costs(EffectCost::bytes(bytes))
     } else {
-        let reason = "everything is known when the look is compiled, or at each fragment";
+        let reason = tr!("everything is known when the look is compiled, or at each fragment");
         Effect::dropped(tr!("uniforms of the look"), EffectKind::Uniforms, reason, Proof::Constant)
     });
     for (path, operations) in of_nodes {

@@ -1,6 +1,8 @@
 //! The modules of passes over the whole picture, ready to be run, with the resource of each
 //! binding.
 
+use chiaro_locale::tr;
+
 use super::camera::View;
 use super::plan::FramePlan;
 use crate::diag::Diagnostic;
@@ -204,7 +206,10 @@ impl ScreenModule {
                 let input = pass.row().reads.iter().find(|input| input.binding == name);
                 let image = input.and_then(PassImage::read);
                 ScreenResource::Image(image.ok_or_else(|| {
-                    wrong(format!("the row of `{}` does not say what `{name}` is", pass.row().slug))
+                    wrong(tr!(
+                        "the row of `{pass}` does not say what `{name}` is",
+                        pass = pass.row().slug
+                    ))
                 })?)
             };
             bindings.push(ScreenBinding { binding: at.binding, holds });
@@ -219,16 +224,16 @@ fn view_numbers(
     ty: naga::Handle<naga::Type>,
 ) -> Result<Vec<&'static ViewNumber>, String> {
     let naga::TypeInner::Struct { members, .. } = &module.types[ty].inner else {
-        return Err("its uniform is no struct".to_owned());
+        return Err(tr!("its uniform is no struct").to_owned());
     };
     let number = |(index, member): (usize, &naga::StructMember)| {
         let name = member.name.as_deref().unwrap_or_default();
         let is_number = module.types[member.ty].inner == naga::TypeInner::Scalar(naga::Scalar::F32)
             && member.offset as usize == 4 * index;
         if !is_number {
-            return Err(format!("`{name}` is no f32 right after the member before it"));
+            return Err(tr!("`{name}` is no f32 right after the member before it"));
         }
-        ViewNumber::named(name).ok_or_else(|| format!("no number of the view is `{name}`"))
+        ViewNumber::named(name).ok_or_else(|| tr!("no number of the view is `{name}`"))
     };
     members.iter().enumerate().map(number).collect()
 }

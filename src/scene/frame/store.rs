@@ -17,8 +17,27 @@ use crate::files::{Disk, FileMetadata, SharedFiles};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
 
-/// State of a file when it was read. `None` where there is no file.
-pub(super) type FileStamp = Option<FileMetadata>;
+/// State of an asset when it was read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct AssetStamp {
+    /// State of the file. `None` where there is none.
+    file: Option<FileMetadata>,
+    /// Tag of the language that the warnings are told in.
+    language: &'static str,
+}
+
+impl AssetStamp {
+    /// Stamp of an asset that is read now, of a file in this state.
+    pub(super) fn now(file: Option<FileMetadata>) -> Self {
+        Self { file, language: chiaro_locale::spoken_tag() }
+    }
+
+    /// True if an asset that was read then is what would be read now: warnings are made in words,
+    /// so that in another language the file is read again where there are any.
+    pub(super) fn is_same(self, now: Self, warnings: &[Diagnostic]) -> bool {
+        self.file == now.file && (warnings.is_empty() || self.language == now.language)
+    }
+}
 
 /// Meshes, images and HCBTFs that some picture holds, and the files that they are read from. Clones
 /// are handles to the same store.
@@ -94,7 +113,7 @@ impl AssetStore {
     pub(super) fn mesh(
         &self,
         key: &str,
-        stamp: FileStamp,
+        stamp: AssetStamp,
         read: impl FnOnce() -> Result<WithWarnings<Mesh>, Vec<Diagnostic>>,
     ) -> Result<WithWarnings<Arc<Mesh>>, Vec<Diagnostic>> {
         self.0.meshes.get(&key.to_owned(), stamp, || self.counted(read))
@@ -103,7 +122,7 @@ impl AssetStore {
     pub(super) fn image(
         &self,
         path: &PathBuf,
-        stamp: FileStamp,
+        stamp: AssetStamp,
         read: impl FnOnce() -> Result<Image, Diagnostic>,
     ) -> Result<Arc<Image>, Diagnostic> {
         let read = || self.counted(read).map(WithWarnings::from);
@@ -113,7 +132,7 @@ impl AssetStore {
     pub(super) fn hcbtf(
         &self,
         key: &HcbtfKey,
-        stamp: FileStamp,
+        stamp: AssetStamp,
         read: impl FnOnce() -> Result<WithWarnings<Image>, Vec<Diagnostic>>,
     ) -> Result<WithWarnings<Arc<Image>>, Vec<Diagnostic>> {
         self.0.hcbtfs.get(key, stamp, || self.counted(read))
@@ -134,7 +153,7 @@ type StoreSlot<T> = Arc<Mutex<Option<StoreEntry<T>>>>;
 
 #[derive(Debug)]
 struct StoreEntry<T> {
-    stamp: FileStamp,
+    stamp: AssetStamp,
     value: Weak<T>,
     warnings: Vec<Diagnostic>,
 }
@@ -150,12 +169,13 @@ impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
     fn get<E>(
         &self,
         key: &K,
-        stamp: FileStamp,
+        stamp: AssetStamp,
         read: impl FnOnce() -> Result<WithWarnings<T>, E>,
     ) -> Result<WithWarnings<Arc<T>>, E> {
         let slot = self.slot(key);
         let mut entry = slot.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = entry.as_ref().filter(|known| known.stamp == stamp)
+        if let Some(known) =
+            entry.as_ref().filter(|known| known.stamp.is_same(stamp, &known.warnings))
             && let Some(value) = known.value.upgrade()
         {
             return Ok(WithWarnings::new(value, known.warnings.clone()));
@@ -196,29 +216,45 @@ mod tests {
 
     fn get(
         shelf: &Shelf<&'static str, u32>,
-        stamp: FileStamp,
+        stamp: AssetStamp,
         value: u32,
     ) -> WithWarnings<Arc<u32>> {
         let note = Diagnostic::note("odd", "it is odd");
         shelf.get::<()>(&"a", stamp, || Ok(WithWarnings::new(value, vec![note]))).unwrap()
     }
 
+    const NO_FILE: AssetStamp = AssetStamp { file: None, language: "en" };
+
     #[test]
     fn a_value_is_read_once_while_somebody_holds_it() {
         let shelf = Shelf::default();
-        let first = get(&shelf, None, 1);
-        let second = get(&shelf, None, 2);
+        let first = get(&shelf, NO_FILE, 1);
+        let second = get(&shelf, NO_FILE, 2);
         assert!(Arc::ptr_eq(&first.value, &second.value) && second.warnings.len() == 1);
         // Another file lies there now.
         let (kind, modified) = (FileKind::Plain, SystemTime::UNIX_EPOCH);
-        let changed = get(&shelf, Some(FileMetadata { kind, modified, length: 3 }), 3);
+        let file = Some(FileMetadata { kind, modified, length: 3 });
+        let changed = get(&shelf, AssetStamp { file, ..NO_FILE }, 3);
         assert_eq!((*changed.value, *first.value, shelf.len()), (3, 1, 1));
         drop((first, second, changed));
         assert_eq!(shelf.len(), 0, "nobody holds it any more");
-        assert_eq!(*get(&shelf, None, 4).value, 4);
+        assert_eq!(*get(&shelf, NO_FILE, 4).value, 4);
         // Reading is tried again after a failure.
-        assert_eq!(shelf.get(&"b", None, || Err("no")).unwrap_err(), "no");
-        assert_eq!(*shelf.get::<()>(&"b", None, || Ok(5.into())).unwrap().value, 5);
+        assert_eq!(shelf.get(&"b", NO_FILE, || Err("no")).unwrap_err(), "no");
+        assert_eq!(*shelf.get::<()>(&"b", NO_FILE, || Ok(5.into())).unwrap().value, 5);
+    }
+
+    #[test]
+    fn what_is_told_is_read_again_in_another_language() {
+        let german = AssetStamp { language: "de", ..NO_FILE };
+        let shelf = Shelf::default();
+        let told = get(&shelf, NO_FILE, 1);
+        assert_eq!([*told.value, *get(&shelf, german, 2).value], [1, 2]);
+        // Without a word there is nothing to translate.
+        let silent =
+            |stamp, value: u32| shelf.get::<()>(&"b", stamp, || Ok(value.into())).unwrap().value;
+        let first = silent(NO_FILE, 3);
+        assert!(Arc::ptr_eq(&first, &silent(german, 4)));
     }
 
     #[test]
@@ -231,7 +267,7 @@ mod tests {
                 let read = || -> Result<WithWarnings<u32>, ()> {
                     Ok((reads.fetch_add(1, Ordering::Relaxed) as u32).into())
                 };
-                shelf.get(&"a", None, read).unwrap().value
+                shelf.get(&"a", NO_FILE, read).unwrap().value
             };
             // All values are held until the last one has come.
             let threads: Vec<_> = (0..8).map(|_| scope.spawn(read)).collect();

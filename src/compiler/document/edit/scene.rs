@@ -109,7 +109,7 @@ impl Scene {
             (Some(objects), _, [_, _, ..]) => labels::of_objects(objects.into_iter()),
             (_, Some(lights), [_, _, ..]) => labels::of_lights(lights.into_iter()),
             (_, _, [first, ..]) => self.label(first),
-            _ => "nothing".to_owned(),
+            _ => tr!("nothing").to_owned(),
         }
     }
 }

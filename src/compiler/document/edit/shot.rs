@@ -145,7 +145,7 @@ impl Editable for Shot {
                         tr!("change {target} in the shot", target = labels::names(targets))
                     }
                     (_, [first, ..]) => self.label(first),
-                    _ => "nothing".to_owned(),
+                    _ => tr!("nothing").to_owned(),
                 }
             }
             ShotEdit::Replace { .. } => tr!("load the file again").to_owned(),

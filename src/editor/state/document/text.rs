@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::{FileDocument, FileRefusals, OnDisk, OpenDocument};
+use crate::diag::{Diagnostic, Place};
 use crate::document::{LoadedDocument, Look, Scene, Shot, SourceMap};
 
 /// A text file in its state when it was last read or written.
@@ -91,10 +92,51 @@ where
         self.was_written(path.to_owned(), file);
     }
 
+    /// Tells the problems of the file again, in the language that is spoken now. Where the file as
+    /// it was read has other problems, those that are told stay: they are of another text.
+    pub(crate) fn tell_again(&mut self) {
+        if self.load_problems.is_empty() {
+            return;
+        }
+        let file = self.path.as_deref().map(|path| path.display().to_string());
+        let told = D::read_text(self.file.source.text(), &file.unwrap_or_default()).diagnostics;
+        let of = |problems: &[Diagnostic]| -> Vec<(&'static str, Place)> {
+            problems.iter().map(|problem| (problem.code, problem.place.clone())).collect()
+        };
+        if of(&told) == of(&self.load_problems) {
+            self.load_problems = told;
+        }
+    }
+
     /// Takes the file as another program wrote it; the document means the same.
     pub(crate) fn was_reloaded(&mut self, source: SourceMap) {
         self.file = TextFile::new(source);
         self.is_partial = false;
         self.history.mark_saved();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::History;
+
+    #[test]
+    fn problems_of_a_file_are_told_again() {
+        let LoadedDocument { source, diagnostics, .. } =
+            Look::read(r#"{"nodes": [], "odd": 1}"#, "");
+        assert!(!diagnostics.is_empty());
+        let mut open =
+            OpenDocument::new(History::new(Look::default()), None, TextFile::new(source));
+        let mut before = diagnostics.clone();
+        before[0].message = "in another language".to_owned();
+        open.load_problems = before.clone();
+        open.tell_again();
+        assert_eq!(open.load_problems, diagnostics);
+        // What another program wrote since cannot be told of this text.
+        before.push(Diagnostic::error("odd", "it is odd"));
+        open.load_problems = before.clone();
+        open.tell_again();
+        assert_eq!(open.load_problems, before);
     }
 }

@@ -77,6 +77,14 @@ impl OpenScene {
         true
     }
 
+    /// Tells the problems of the files again, in the language that is spoken now.
+    pub(crate) fn tell_again(&mut self) {
+        self.document.tell_again();
+        if let Some(shot) = &mut self.shot {
+            shot.document.tell_again();
+        }
+    }
+
     /// Lets saving write over another program's text.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
         if let Some(shot) = &mut self.shot {

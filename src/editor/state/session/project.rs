@@ -96,6 +96,23 @@ impl Session {
         }
     }
 
+    /// Tells all problems again, in the language that is spoken now. Words are made where a problem
+    /// is found: documents, nodes and what pictures are drawn of are read again, and the look is
+    /// compiled again.
+    pub(crate) fn tell_again(&mut self) {
+        self.look.tell_again();
+        if let Some(open_scene) = &mut self.open_scene {
+            open_scene.tell_again();
+        }
+        self.revisions.problems.advance();
+        let folders = self.node_folders();
+        if folders.iter().any(|folder| self.assets.source().is_folder(folder)) {
+            self.project.reader.read(folders, true);
+        } else {
+            self.renew_library(Library::built_in().clone(), true);
+        }
+    }
+
     fn renew_library(&mut self, library: Library, keeps_broken: bool) {
         let before = self.project.library.clone();
         self.project.set_library(library);
