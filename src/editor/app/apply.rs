@@ -141,6 +141,7 @@ impl App {
             Command::Solo(solo) => self.session.set_solo(solo),
             Command::KeepLightColumns(columns) => self.keep_light_columns(columns),
             Command::KeepFrameMemory(mib) => self.keep_frame_memory(mib),
+            Command::KeepFarm(farm) => self.keep_farm(farm),
             Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => self.link_pointed(ui, is_linked),
             Command::ShowPanel(PanelId::PAINT) if is_painting_shown(&self.session) => {
@@ -194,6 +195,10 @@ impl App {
     /// Remembers columns of the light table that are shown or hidden by hand.
     fn keep_light_columns(&mut self, columns: BTreeMap<String, bool>) {
         self.safety.change_settings(|settings| settings.light_columns = columns);
+    }
+
+    fn keep_farm(&mut self, farm: &str) {
+        self.safety.change_settings(|settings| settings.farm = Some(farm.to_owned()));
     }
 
     fn ask_timeline(&mut self, ui: &Ui, command: TimelineCommand) {
