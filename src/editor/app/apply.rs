@@ -224,10 +224,9 @@ impl App {
 
     /// Saves the look to a file, and goes on with what waited for it.
     fn save_to(&mut self, path: &Path) {
-        if self.save_as(path) {
-            self.go_on_if_safe();
-        } else {
-            self.ask_again(FilePurpose::Save, path);
+        match self.write_look(path) {
+            Ok(()) => self.go_on_if_safe(),
+            Err(problem) => self.ask_again(FilePurpose::Save, path, &problem),
         }
     }
 

@@ -86,11 +86,10 @@ impl App {
                 self.ask_where_to_save_painting();
             }
             PaintCommand::SaveAs => {}
-            PaintCommand::SaveTo(path) => {
-                if self.save_painting_as(&path) {
-                    self.go_on_if_safe();
-                }
-            }
+            PaintCommand::SaveTo(path) => match self.write_painting(&path) {
+                Ok(()) => self.go_on_if_safe(),
+                Err(problem) => self.ask_again(FilePurpose::SavePainting, &path, &problem),
+            },
             PaintCommand::StepView(heading) => self.step_painting(heading, true),
             PaintCommand::StepLight(heading) => self.step_painting(heading, false),
             PaintCommand::ShowStroke(stroke) => {
@@ -418,6 +417,10 @@ impl App {
     /// Saves the painting to a file, which is its own from then on, and reports a failure. Returns
     /// true if the file is written.
     pub fn save_painting_as(&mut self, path: &Path) -> bool {
+        self.write_painting(path).is_ok()
+    }
+
+    fn write_painting(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let saved = self.session.save_painting_as(path);
         self.tell_saved(path, saved)
     }
