@@ -260,6 +260,33 @@ fn shift_on_the_ruler_chooses_the_part_that_is_played() {
     assert!(!hand.has("Whole range") && close(hand.app().session().view().time(), 1.5));
 }
 
+/// Where the playhead stands over an end of the range, its head is the playhead's.
+#[test]
+fn the_playhead_is_dragged_off_an_end_of_the_range() {
+    let mut hand = keyed();
+    go(&mut hand, 1.0);
+    let flag = |hand: &User| at(hand, "Start of the range");
+    let (start, ruler) = (flag(&hand), hand.place("Playhead"));
+    let middle = at(&hand, "Time key 2 of Diffuse: Opacity").x;
+    let time = |hand: &User| hand.app().session().view().time();
+    hand.click(pos2(start.x, ruler.top() + 4.0));
+    hand.settle();
+    assert_eq!(time(&hand), 0.0);
+    hand.drag(pos2(start.x, ruler.top() + 13.0), pos2(middle, ruler.top() + 13.0));
+    hand.settle();
+    assert!(close(time(&hand), 1.0) && flag(&hand) == start, "{}", time(&hand));
+    // The flag is dragged where nothing is over it, and below the head.
+    hand.drag(start, pos2(start.x + 20.0, start.y));
+    hand.settle();
+    assert!(close(time(&hand), 1.0) && flag(&hand).x > start.x, "{}", time(&hand));
+    hand.click(pos2(flag(&hand).x, ruler.top() + 4.0));
+    hand.settle();
+    let (before, moved) = (time(&hand), flag(&hand));
+    hand.drag(pos2(moved.x, ruler.bottom() - 2.0), pos2(moved.x + 20.0, ruler.bottom() - 2.0));
+    hand.settle();
+    assert!(time(&hand) == before && flag(&hand).x > moved.x, "{}", time(&hand));
+}
+
 /// A key that was dragged has the focus, for its arrows: undo, and the keys of the transport, work
 /// all the same.
 #[test]
