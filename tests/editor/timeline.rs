@@ -120,9 +120,8 @@ fn keys_of_several_tracks_are_moved_and_stretched_together() {
     hand.undo();
     hand.settle();
     assert_eq!(*hand.look(), before, "it is one step");
-    // The edge of the selection scales about the other end.
-    hand.hover(opacity);
-    hand.key_with(Modifiers::COMMAND, Key::A);
+    // The edge of the selection, which is the one before, scales about the other end.
+    assert!(hand.says("5 keys in 2 tracks"));
     let end = at(&hand, "End of the selection");
     let start = at(&hand, "Start of the selection");
     hand.drag(end, pos2(0.5 * (start.x + end.x), end.y));
@@ -130,6 +129,12 @@ fn keys_of_several_tracks_are_moved_and_stretched_together() {
     assert_eq!(times(&hand, 1)[0], 0.0);
     let half = times(&hand, 1)[1];
     assert!((half - 1.0).abs() < 0.05 && times(&hand, 0)[2] == half, "{half}");
+    hand.undo();
+    hand.settle();
+    assert!(*hand.look() == before && hand.says("5 keys in 2 tracks"));
+    hand.redo();
+    hand.settle();
+    assert!(times(&hand, 1)[1] == half && hand.says("5 keys in 2 tracks"));
     // A key that is dragged over another one takes its place when it stays there.
     hand.undo();
     hand.settle();
