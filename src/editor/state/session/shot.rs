@@ -367,6 +367,7 @@ impl Session {
     /// # Errors
     /// No shot is open.
     pub(crate) fn key_all_in_shot(&mut self) -> Result<(), Box<Diagnostic>> {
+        self.refresh_keys();
         let mut edits = Vec::new();
         if let Some(shot) = self.shot() {
             let open = shot.open_look();
@@ -388,6 +389,7 @@ impl Session {
     /// # Errors
     /// The value has none that could be keyed.
     pub(crate) fn key_in_shot(&mut self, at: &ShotAddress) -> Result<(), Box<Diagnostic>> {
+        self.refresh_keys();
         let Some(value) = self.value_in_shot(at) else {
             let message = tr!("`{value}` has no value to key", value = at.text());
             return Err(Box::new(Diagnostic::error("impossible-edit", message)));
@@ -401,13 +403,22 @@ impl Session {
         }
     }
 
-    /// The present value at an address; of a look that is not open, what the shot sets.
+    /// The present value at an address, as keys give it since they were last refreshed; of a look
+    /// that is not open, what the shot sets.
     pub(super) fn value_in_shot(&self, at: &ShotAddress) -> Option<Value> {
         let shot = self.shot()?;
         match &at.look {
             None => {
-                let place = self.open_scene()?.scene().value_at(&at.target).ok()?;
-                serde_json::from_value(place.value).ok()
+                let of_keys = || {
+                    let target = keyed_target(&at.target)?;
+                    self.keys().of_scene()?.values().values.get(&target).cloned()
+                };
+                let own = || {
+                    let place = self.open_scene()?.scene().value_at(&at.target).ok()?;
+                    serde_json::from_value(place.value).ok()
+                };
+                // Keys of lights lie over their own values, which the scene has beneath.
+                of_keys().or_else(own)
             }
             Some(_) if at.look == shot.open_look() => {
                 let target = keyed_target(&at.target)?;
@@ -635,6 +646,30 @@ pub(super) mod tests {
         session.open(&folder.join("shot.json")).unwrap();
         session.open(&folder.join("look.json")).unwrap();
         session
+    }
+
+    #[test]
+    fn a_value_of_a_keyed_light_is_that_of_the_moment() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut session = opened(folder.path());
+        let value = |session: &mut Session, target: &str| {
+            session.refresh_keys();
+            let at = ShotAddress { look: None, target: target.to_owned() };
+            session.value_in_shot(&at)
+        };
+        let mut intensity = |frame: i32| {
+            let time = session.shot().unwrap().rate().time(frame);
+            session.set_time(time);
+            match value(&mut session, "lights.sun.intensity") {
+                Some(Value::Number(intensity)) => intensity,
+                other => panic!("{other:?}"),
+            }
+        };
+        assert_eq!([1, 24].map(&mut intensity), [1.0, 2.0]);
+        assert!((intensity(12) - (1.0 + 11.0 / 23.0)).abs() < 1e-9);
+        // Without keys it is the light's own.
+        let direction = value(&mut session, "lights.sun.direction");
+        assert_eq!(direction, Some(Value::Vector(vec![0.0, 0.0, 1.0])));
     }
 
     #[test]
