@@ -424,10 +424,23 @@ impl App {
 
     /// Makes an edit, and shows the problem as a message where it is impossible.
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
-        if let Err(problem) = edit(&mut self.session) {
-            self.message = Some(problem.message);
-            // What no shot says is changed in its own file.
-            self.refused = problem.place.file.map(PathBuf::from);
+        self.attempt(edit);
+    }
+
+    /// Makes an edit as [`tell`](Self::tell) does, and returns what comes of it; `None` where it is
+    /// impossible.
+    pub(super) fn attempt<T>(
+        &mut self,
+        edit: impl FnOnce(&mut Session) -> Result<T, Box<Diagnostic>>,
+    ) -> Option<T> {
+        match edit(&mut self.session) {
+            Ok(made) => Some(made),
+            Err(problem) => {
+                self.message = Some(problem.message);
+                // What no shot says is changed in its own file.
+                self.refused = problem.place.file.map(PathBuf::from);
+                None
+            }
         }
     }
 

@@ -44,8 +44,10 @@ impl App {
                 self.do_or_ask(PendingAction::OpenPainting { path, keeps_look });
             }
             PaintCommand::Divide { grid, lost } => {
-                self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
-                if lost > 0 && self.message.is_none() {
+                let edit = HcbtfEdit::SetGrid { grid };
+                let is_divided =
+                    self.attempt(|session| session.apply_to_painting(edit, None)).is_some();
+                if lost > 0 && is_divided {
                     self.message = Some(trn!(
                         lost,
                         "{lost} painted sample went with the old grid: Undo brings it back",
