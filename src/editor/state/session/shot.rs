@@ -569,12 +569,28 @@ pub(crate) fn json_text(json: &Json) -> String {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
+    use std::path::PathBuf;
+
     use super::*;
     use crate::document::{ShotKey, TimeKey};
     use crate::frame::Track;
     use crate::library::Library;
     use crate::state::shot::shots_that_change;
+
+    /// Puts a scene of one ball, and a shot of twelve frames over it with these overrides, into a
+    /// folder; returns the path of the shot.
+    pub(crate) fn put_shot(folder: &Path, overrides: &str) -> PathBuf {
+        let shot = format!(
+            r#"{{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
+                "overrides": {overrides}}}"#
+        );
+        let scene = r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#;
+        std::fs::write(folder.join("scene.json"), scene).unwrap();
+        let path = folder.join("shot.json");
+        std::fs::write(&path, shot).unwrap();
+        path
+    }
 
     /// Numbers of the open shot's own keys of a value at frames, at places half a frame apart.
     fn curve(session: &Session, at: &ShotAddress) -> Vec<f64> {
@@ -591,18 +607,15 @@ pub(super) mod tests {
     #[test]
     fn a_key_that_is_added_bends_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
-        put(
-            "shot.json",
-            r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
-                "overrides": [{"target": "camera.height", "keys": [
+        let shot = put_shot(
+            folder.path(),
+            r#"[{"target": "camera.height", "keys": [
                 {"frame": 1, "value": 1, "interpolation": "bezier"},
                 {"frame": 6, "value": 2, "interpolation": "bezier"},
-                {"frame": 12, "value": 6, "interpolation": "bezier"}]}]}"#,
+                {"frame": 12, "value": 6, "interpolation": "bezier"}]}]"#,
         );
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
-        session.open(&folder.path().join("shot.json")).unwrap();
+        session.open(&shot).unwrap();
         let at = ShotAddress { look: None, target: "camera.height".to_owned() };
         let before = curve(&session, &at);
         for frame in [9, 3, 12, 14] {
@@ -730,18 +743,15 @@ pub(super) mod tests {
     #[test]
     fn all_that_a_shot_changes_is_keyed_and_reset_at_once() {
         let folder = tempfile::tempdir().unwrap();
-        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
-        put(
-            "shot.json",
-            r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
-                "overrides": [{"target": "camera.height", "value": 3},
+        let shot = put_shot(
+            folder.path(),
+            r#"[{"target": "camera.height", "value": 3},
                 {"target": "objects.ball.mesh", "value": "shape:cube"},
-                {"target": "camera.fov", "keys": [{"frame": 4, "value": 0.5}]}]}"#,
+                {"target": "camera.fov", "keys": [{"frame": 4, "value": 0.5}]}]"#,
         );
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
         assert_eq!(session.key_all_in_shot().unwrap_err().code, "impossible-edit");
-        session.open(&folder.path().join("shot.json")).unwrap();
+        session.open(&shot).unwrap();
         let before = session.shot().unwrap().shot().clone();
         session.key_all_in_shot().unwrap();
         let keys: Vec<Vec<f64>> = session
