@@ -14,7 +14,7 @@ use crate::diag::Diagnostic;
 use crate::files::{OutputKind, shortened};
 use crate::film::FrameList;
 use crate::film::farm::simulation::{FarmFigures, FarmSettings, simulate};
-use crate::film::farm::{FARMS, Farm, FarmJob};
+use crate::film::farm::{DEFAULT_CHUNK, FARMS, Farm, FarmJob, chunk_of};
 use crate::frame::ShotStack;
 
 const EXAMPLES: &str = "\
@@ -37,9 +37,9 @@ pub(super) struct Arguments {
     /// The farm: slurm, openjd, opencue or flamenco
     #[arg(long, value_parser = parse_farm)]
     to: Farm,
-    /// Greatest number of frames of a task
-    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    chunk: u32,
+    /// Greatest number of frames of a task [default: the shot's own, or else 10]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    chunk: Option<u32>,
     /// The file of the job; standard output without it
     #[arg(long)]
     job: Option<OutputPath>,
@@ -147,9 +147,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let one = |problem: Diagnostic| vec![problem];
     let RenderWords { words, document, output: target, frames, is_forced } = &arguments.render;
     let pattern = super::frame_files::pattern_of(target).map_err(one)?;
-    let frames = &frames_of(frames.as_ref(), document, arguments.chunk, output)?;
+    let (frames, chunk) = &tasks_of(frames.as_ref(), document, arguments.chunk, output)?;
     if let Some(workers) = arguments.simulate {
-        tell(arguments, workers, frames, output);
+        tell(arguments, workers, (frames, *chunk), output);
         return Ok(());
     }
     let mut outputs = outputs(*is_forced, [document]);
@@ -179,7 +179,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         render: words.clone(),
         output: target.display().to_string(),
         frames: frames.clone(),
-        chunk: arguments.chunk as usize,
+        chunk: *chunk as usize,
         folder: here.display().to_string(),
         sheet: sheet.display().to_string(),
         outside: outside.iter().map(|path| path.display().to_string()).collect(),
@@ -201,20 +201,21 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// The frames that were asked for, or else those of the shot; warns of chunks and frames that do
-/// not fit the shot.
-fn frames_of(
+/// The frames, and the greatest number of them in a task, that were asked for, or else those of the
+/// shot; warns of chunks and frames that do not fit the shot.
+fn tasks_of(
     asked: Option<&FrameList>,
     document: &Path,
-    chunk: u32,
+    asked_chunk: Option<u32>,
     output: &Output,
-) -> Result<FrameList, Vec<Diagnostic>> {
+) -> Result<(FrameList, u32), Vec<Diagnostic>> {
     let bad = |message: String| vec![Diagnostic::error("bad-argument", message)];
     let is_there = document.is_file();
     let shot = is_there.then(|| ShotStack::load(&crate::files::Disk, document)).flatten();
     let Some(shot) = shot.transpose()?.map(|shot| shot.value) else {
         let missing = || bad("name the frames, as --frames 1-240".to_owned());
-        return asked.cloned().ok_or_else(missing);
+        let frames = asked.cloned().ok_or_else(missing)?;
+        return Ok((frames, asked_chunk.unwrap_or(DEFAULT_CHUNK)));
     };
     let [first, last] = shot.frames();
     let frames = match asked {
@@ -229,12 +230,13 @@ fn frames_of(
         warning(message, format!("leave --frames out, or write --frames {first}-{last}"));
     }
     let step = shot.step();
+    let chunk = asked_chunk.unwrap_or_else(|| chunk_of(&shot));
     if !chunk.is_multiple_of(step) {
         let message =
             format!("chunks of {chunk} frames part frames that the shot holds for {step}");
         warning(message, format!("--chunk {} draws none twice", chunk.next_multiple_of(step)));
     }
-    Ok(frames)
+    Ok((frames, chunk))
 }
 
 /// A warning of files outside the folder of a job, which its machines must find at the same paths.
@@ -283,10 +285,10 @@ fn name_of(document: &Path) -> String {
 }
 
 /// Tells what a farm of so many machines would do.
-fn tell(arguments: &Arguments, workers: u32, frames: &FrameList, output: &Output) {
+fn tell(arguments: &Arguments, workers: u32, (frames, chunk): (&FrameList, u32), output: &Output) {
     let settings = FarmSettings {
         frames: frames.frames().len(),
-        chunk: arguments.chunk as usize,
+        chunk: chunk as usize,
         workers: workers as usize,
         frame: arguments.frame_seconds,
         between_failures: arguments.failure_hours * 3600.0,

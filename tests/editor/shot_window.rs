@@ -93,6 +93,38 @@ fn markers_are_the_shots_and_those_under_it_are_seen() {
 }
 
 #[test]
+fn the_tasks_of_a_farm_are_the_shots_and_the_farm_is_the_users() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    command(&mut hand, "Send to a farm");
+    hand.bring(Role::SpinButton, "Frames a task");
+    let field = hand.fields_called("Frames a task")[0];
+    hand.type_over(field, "6");
+    hand.bring(Role::RadioButton, "Farm openjd");
+    hand.press_a(Role::RadioButton, "Farm openjd");
+    assert_eq!((shot(&hand).chunk, hand.steps()), (Some(6), 1));
+    assert!(hand.says("--to openjd --chunk 6"), "{:?}", hand.names());
+    hand.undo();
+    hand.settle();
+    assert!(hand.says("--to openjd --chunk 10"), "{:?}", hand.names());
+    hand.redo();
+    save(&mut hand);
+    assert_eq!(Shot::read(&read(&home.file("shot.json")), "").value.unwrap().chunk, Some(6));
+    drop(hand);
+    // Both are there again, and another shot has tasks of its own.
+    let mut hand = home.window(Some(&home.file("shot.json")));
+    hand.settle();
+    command(&mut hand, "Send to a farm");
+    assert!(hand.says("--to openjd --chunk 6"), "{:?}", hand.names());
+    drop(hand);
+    write(&home, &[("other.json", SHOT)]);
+    let mut hand = home.window(Some(&home.file("other.json")));
+    hand.settle();
+    command(&mut hand, "Send to a farm");
+    assert!(hand.says("--to openjd --chunk 10"), "{:?}", hand.names());
+}
+
+#[test]
 fn a_shot_is_begun_over_the_open_scene() {
     let home = Home::new();
     let mut hand = opened(&home, "scene.json");

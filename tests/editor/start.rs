@@ -747,6 +747,40 @@ fn what_is_typed_right_after_its_key_goes_to_the_palette() {
     assert_eq!(hand.look().graph.nodes, look.graph.nodes, "nothing of it reached the graph");
 }
 
+/// Where a file cannot be written, the field stays, with the whole reason.
+#[test]
+fn a_path_that_cannot_be_written_is_asked_for_again() {
+    let home = Home::new();
+    let [kept, other] = ["kept.json", "other.json"].map(|name| home.file(name));
+    std::fs::write(&kept, "{}").unwrap();
+    let set_read_only = |is_so: bool| {
+        let mut permissions = std::fs::metadata(&kept).unwrap().permissions();
+        permissions.set_readonly(is_so);
+        std::fs::set_permissions(&kept, permissions).unwrap();
+    };
+    set_read_only(true);
+    let mut hand = User::with(|ctx| App::new(ctx, None).with_path_fields());
+    hand.settle();
+    press(&mut hand, "Save as");
+    let type_path = |hand: &mut User, path: &Path| {
+        let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect();
+        hand.type_over(field, path.to_str().unwrap());
+    };
+    let width = hand.text_field("Path").width();
+    type_path(&mut hand, &kept);
+    let told = format!("Not saved: {}", kept.display());
+    for part in [&*told, "the file is read-only", "choose another place"] {
+        assert!(says(&hand, part), "{part}");
+    }
+    assert_eq!(hand.text_field("Path").width(), width, "a long reason takes several lines");
+    assert_eq!(std::fs::read_to_string(&kept).unwrap(), "{}");
+    // What was told is about that path alone.
+    type_path(&mut hand, &other);
+    assert!(other.is_file() && !says(&hand, "Not saved"), "it is saved elsewhere");
+    assert_eq!(hand.app().session().path(), Some(&*other));
+    set_read_only(false);
+}
+
 #[test]
 fn keys_typed_in_a_dialog_are_the_dialogs_alone() {
     let home = Home::new();

@@ -120,9 +120,8 @@ fn keys_of_several_tracks_are_moved_and_stretched_together() {
     hand.undo();
     hand.settle();
     assert_eq!(*hand.look(), before, "it is one step");
-    // The edge of the selection scales about the other end.
-    hand.hover(opacity);
-    hand.key_with(Modifiers::COMMAND, Key::A);
+    // The edge of the selection, which is the one before, scales about the other end.
+    assert!(hand.says("5 keys in 2 tracks"));
     let end = at(&hand, "End of the selection");
     let start = at(&hand, "Start of the selection");
     hand.drag(end, pos2(0.5 * (start.x + end.x), end.y));
@@ -130,6 +129,12 @@ fn keys_of_several_tracks_are_moved_and_stretched_together() {
     assert_eq!(times(&hand, 1)[0], 0.0);
     let half = times(&hand, 1)[1];
     assert!((half - 1.0).abs() < 0.05 && times(&hand, 0)[2] == half, "{half}");
+    hand.undo();
+    hand.settle();
+    assert!(*hand.look() == before && hand.says("5 keys in 2 tracks"));
+    hand.redo();
+    hand.settle();
+    assert!(times(&hand, 1)[1] == half && hand.says("5 keys in 2 tracks"));
     // A key that is dragged over another one takes its place when it stays there.
     hand.undo();
     hand.settle();
@@ -258,6 +263,33 @@ fn shift_on_the_ruler_chooses_the_part_that_is_played() {
     hand.drag(pos2(x(0.5), top), pos2(x(1.5), top));
     hand.settle();
     assert!(!hand.has("Whole range") && close(hand.app().session().view().time(), 1.5));
+}
+
+/// Where the playhead stands over an end of the range, its head is the playhead's.
+#[test]
+fn the_playhead_is_dragged_off_an_end_of_the_range() {
+    let mut hand = keyed();
+    go(&mut hand, 1.0);
+    let flag = |hand: &User| at(hand, "Start of the range");
+    let (start, ruler) = (flag(&hand), hand.place("Playhead"));
+    let middle = at(&hand, "Time key 2 of Diffuse: Opacity").x;
+    let time = |hand: &User| hand.app().session().view().time();
+    hand.click(pos2(start.x, ruler.top() + 4.0));
+    hand.settle();
+    assert_eq!(time(&hand), 0.0);
+    hand.drag(pos2(start.x, ruler.top() + 13.0), pos2(middle, ruler.top() + 13.0));
+    hand.settle();
+    assert!(close(time(&hand), 1.0) && flag(&hand) == start, "{}", time(&hand));
+    // The flag is dragged where nothing is over it, and below the head.
+    hand.drag(start, pos2(start.x + 20.0, start.y));
+    hand.settle();
+    assert!(close(time(&hand), 1.0) && flag(&hand).x > start.x, "{}", time(&hand));
+    hand.click(pos2(flag(&hand).x, ruler.top() + 4.0));
+    hand.settle();
+    let (before, moved) = (time(&hand), flag(&hand));
+    hand.drag(pos2(moved.x, ruler.bottom() - 2.0), pos2(moved.x + 20.0, ruler.bottom() - 2.0));
+    hand.settle();
+    assert!(time(&hand) == before && flag(&hand).x > moved.x, "{}", time(&hand));
 }
 
 /// A key that was dragged has the focus, for its arrows: undo, and the keys of the transport, work

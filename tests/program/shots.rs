@@ -579,7 +579,7 @@ fn a_shot_says_what_commands_need() {
 
     let fields = json!({"frames": [1, 24], "rate": 24, "size": [24, 16], "step": 2});
     let overrides = json!([{"target": "lights.key.intensity", "keys": [key(1, 0), key(24, 3)]}]);
-    folder.write("shot.json", &shot("scene.json", fields, overrides));
+    folder.write("shot.json", &shot("scene.json", fields, overrides.clone()));
     let farm = |more: &[&str]| {
         let words = ["farm", "shot.json", "-o", "####.exr", "--to", "slurm"];
         let output = folder.run(&[&words[..], more].concat());
@@ -591,6 +591,21 @@ fn a_shot_says_what_commands_need() {
     assert!(job.contains("1-4") && job.contains("21-24") && warned.is_empty(), "{job}\n{warned}");
     let (_, warned) = farm(&["--chunk", "3", "--frames", "1-48"]);
     assert!(warned.contains("1 to 24") && warned.contains("--chunk 4"), "{warned}");
+    // A task has as many frames as the shot says, or what lies under it, unless it is asked.
+    let fields = json!({"frames": [1, 24], "rate": 24, "size": [24, 16], "step": 2, "chunk": 6});
+    folder.write("sequence.json", &shot("scene.json", fields, overrides.clone()));
+    let chunks = |job: &str, [first, last]: [&str; 2]| {
+        assert!(job.contains(first) && job.contains(last), "{job}");
+    };
+    let over = |fields: Json| folder.write("shot.json", &shot("sequence.json", fields, json!([])));
+    over(json!({}));
+    chunks(&farm(&[]).0, ["1-6", "19-24"]);
+    over(json!({"chunk": 8}));
+    chunks(&farm(&[]).0, ["1-8", "17-24"]);
+    chunks(&farm(&["--chunk", "12"]).0, ["1-12", "13-24"]);
+    let fields = json!({"frames": [1, 24], "rate": 24, "size": [24, 16], "step": 2});
+    folder.write("shot.json", &shot("scene.json", fields, overrides));
+    chunks(&farm(&[]).0, ["1-10", "21-24"]);
 
     let time = |words: &[&str]| -> Json {
         let words = ["render", "shot.json", "-o", "a.png", "--json", "--samples", "1", "--force"]

@@ -141,6 +141,7 @@ impl App {
             Command::Solo(solo) => self.session.set_solo(solo),
             Command::KeepLightColumns(columns) => self.keep_light_columns(columns),
             Command::KeepFrameMemory(mib) => self.keep_frame_memory(mib),
+            Command::KeepFarm(farm) => self.keep_farm(farm),
             Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => self.link_pointed(ui, is_linked),
             Command::ShowPanel(PanelId::PAINT) if is_painting_shown(&self.session) => {
@@ -196,6 +197,10 @@ impl App {
         self.safety.change_settings(|settings| settings.light_columns = columns);
     }
 
+    fn keep_farm(&mut self, farm: &str) {
+        self.safety.change_settings(|settings| settings.farm = Some(farm.to_owned()));
+    }
+
     fn ask_timeline(&mut self, ui: &Ui, command: TimelineCommand) {
         self.start = None;
         self.dock.open(PanelId::TIMELINE);
@@ -219,10 +224,9 @@ impl App {
 
     /// Saves the look to a file, and goes on with what waited for it.
     fn save_to(&mut self, path: &Path) {
-        if self.save_as(path) {
-            self.go_on_if_safe();
-        } else {
-            self.ask_again(FilePurpose::Save, path);
+        match self.write_look(path) {
+            Ok(()) => self.go_on_if_safe(),
+            Err(problem) => self.ask_again(FilePurpose::Save, path, &problem),
         }
     }
 
@@ -420,10 +424,23 @@ impl App {
 
     /// Makes an edit, and shows the problem as a message where it is impossible.
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
-        if let Err(problem) = edit(&mut self.session) {
-            self.message = Some(problem.message);
-            // What no shot says is changed in its own file.
-            self.refused = problem.place.file.map(PathBuf::from);
+        self.attempt(edit);
+    }
+
+    /// Makes an edit as [`tell`](Self::tell) does, and returns what comes of it; `None` where it is
+    /// impossible.
+    pub(super) fn attempt<T>(
+        &mut self,
+        edit: impl FnOnce(&mut Session) -> Result<T, Box<Diagnostic>>,
+    ) -> Option<T> {
+        match edit(&mut self.session) {
+            Ok(made) => Some(made),
+            Err(problem) => {
+                self.message = Some(problem.message);
+                // What no shot says is changed in its own file.
+                self.refused = problem.place.file.map(PathBuf::from);
+                None
+            }
         }
     }
 

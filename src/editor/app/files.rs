@@ -17,6 +17,7 @@ use crate::import::GraphFile;
 use crate::panels::curves::timeline::Timeline;
 use crate::panels::library;
 use crate::state::crashes::CrashMark;
+use crate::state::document::CHANGED_ON_DISK;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::state::scene::{LookToOpen, OpenScene, real};
@@ -166,37 +167,48 @@ impl App {
 
     /// Saves to a file, and reports a failure. Returns true if the file is written.
     pub fn save_as(&mut self, path: &Path) -> bool {
+        self.write_look(path).is_ok()
+    }
+
+    /// Saves the look to a file, and reports the result.
+    ///
+    /// # Errors
+    /// The problem that was reported.
+    pub(super) fn write_look(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let saved = self.session.save_named(path);
-        let is_saved = self.tell_saved(path, saved);
+        self.tell_saved(path, saved)?;
         let orbit = &self.session.view.orbit;
         let is_turned = orbit.illumination.angle_between(DQuat::IDENTITY) > TURNED;
         let is_own = !orbit.mesh.starts_with(SHAPE_PREFIX) || is_turned;
-        if is_saved && is_own && self.session.open_scene().is_none() {
+        if is_own && self.session.open_scene().is_none() {
             self.message = Some(tr!(
                 "Saved {file}: the look alone. The mesh and the turned lights are kept by a scene, \
                  which the panel Objects saves",
                 file = path.display()
             ));
         }
-        is_saved
+        Ok(())
     }
 
-    /// Reports the result of saving a document to a file. Returns true if the file is written.
-    pub(super) fn tell_saved(&mut self, path: &Path, saved: Result<(), Box<Diagnostic>>) -> bool {
-        match saved {
+    /// Reports the result of saving a document to a file, and returns it.
+    pub(super) fn tell_saved(
+        &mut self,
+        path: &Path,
+        saved: Result<(), Box<Diagnostic>>,
+    ) -> Result<(), Box<Diagnostic>> {
+        match &saved {
             Ok(()) => {
                 self.message = Some(tr!("Saved {file}", file = path.display()));
                 self.safety.opened(path);
-                true
             }
             Err(problem) => {
-                self.message = Some(sentence(&problem).replace('\n', ": "));
-                if problem.code == "changed-on-disk" {
+                self.message = Some(sentence(problem).replace('\n', ": "));
+                if problem.code == CHANGED_ON_DISK {
                     self.safety.look_at_files(&mut self.session);
                 }
-                false
             }
         }
+        saved
     }
 
     /// Carries out an action if there are no changes to lose, or if the journal keeps them; else

@@ -54,11 +54,7 @@ impl App {
 
     /// Takes the values of a wedge's cell, and tells what became of them.
     pub(super) fn take_cell(&mut self, cell: &WedgeCell, scope: CellScope) {
-        let mut told = None;
-        self.tell(|session| {
-            told = Some(session.take_cell(cell, scope)?);
-            Ok(())
-        });
+        let told = self.attempt(|session| session.take_cell(cell, scope));
         self.message = told.or(self.message.take());
     }
 

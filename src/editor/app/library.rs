@@ -134,9 +134,8 @@ impl App {
                     let files = pictures.linked.join(", ");
                     told += &tr!(" · linked, not copied: {files}");
                 }
-                self.message = None;
-                self.tell(|session| session.apply_with(pictures.copied, edit));
-                if self.message.is_none() {
+                let made = self.attempt(|session| session.apply_with(pictures.copied, edit));
+                if made.is_some() {
                     if !nodes.is_empty() {
                         self.session.select(nodes);
                     }

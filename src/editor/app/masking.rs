@@ -16,9 +16,7 @@ impl App {
         match command {
             MaskCommand::New(layer) => {
                 let laying = laying(&self.session.snapshot());
-                self.message = None;
-                self.tell(|session| session.new_mask(&layer, &laying));
-                if self.message.is_some() {
+                if self.attempt(|session| session.new_mask(&layer, &laying)).is_none() {
                     return;
                 }
                 self.paint_mask_of(ui, Some(layer));
@@ -30,15 +28,9 @@ impl App {
                 }
             }
             MaskCommand::Paint(layer) => {
-                let mut copied = None;
-                self.message = None;
-                self.tell(|session| {
-                    copied = session.own_mask(&layer)?;
-                    Ok(())
-                });
-                if self.message.is_some() {
+                let Some(copied) = self.attempt(|session| session.own_mask(&layer)) else {
                     return;
-                }
+                };
                 self.paint_mask_of(ui, Some(layer));
                 if let Some([other, own]) = copied {
                     let told =

@@ -44,8 +44,10 @@ impl App {
                 self.do_or_ask(PendingAction::OpenPainting { path, keeps_look });
             }
             PaintCommand::Divide { grid, lost } => {
-                self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
-                if lost > 0 && self.message.is_none() {
+                let edit = HcbtfEdit::SetGrid { grid };
+                let is_divided =
+                    self.attempt(|session| session.apply_to_painting(edit, None)).is_some();
+                if lost > 0 && is_divided {
                     self.message = Some(trn!(
                         lost,
                         "{lost} painted sample went with the old grid: Undo brings it back",
@@ -86,11 +88,10 @@ impl App {
                 self.ask_where_to_save_painting();
             }
             PaintCommand::SaveAs => {}
-            PaintCommand::SaveTo(path) => {
-                if self.save_painting_as(&path) {
-                    self.go_on_if_safe();
-                }
-            }
+            PaintCommand::SaveTo(path) => match self.write_painting(&path) {
+                Ok(()) => self.go_on_if_safe(),
+                Err(problem) => self.ask_again(FilePurpose::SavePainting, &path, &problem),
+            },
             PaintCommand::StepView(heading) => self.step_painting(heading, true),
             PaintCommand::StepLight(heading) => self.step_painting(heading, false),
             PaintCommand::ShowStroke(stroke) => {
@@ -418,6 +419,10 @@ impl App {
     /// Saves the painting to a file, which is its own from then on, and reports a failure. Returns
     /// true if the file is written.
     pub fn save_painting_as(&mut self, path: &Path) -> bool {
+        self.write_painting(path).is_ok()
+    }
+
+    fn write_painting(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let saved = self.session.save_painting_as(path);
         self.tell_saved(path, saved)
     }

@@ -6,11 +6,13 @@ use std::path::{Path, PathBuf};
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Button, Context, Frame, Id, Key, Margin, Modal, RichText, Role, ScrollArea, TextEdit, Ui,
-    WidgetInfo, text::CCursor, text::CCursorRange,
+    Button, Context, Frame, Id, Key, Label, Margin, Modal, RichText, Role, ScrollArea, TextEdit,
+    Ui, WidgetInfo, text::CCursor, text::CCursorRange,
 };
 
 use crate::commands::FilePurpose;
+use crate::diag::Diagnostic;
+use crate::state::problem_text::sentence;
 use crate::widgets::confirm;
 use crate::widgets::theme;
 
@@ -28,6 +30,8 @@ pub(crate) struct PathField {
     stands_in: bool,
     text: String,
     is_new: bool,
+    /// Path that nothing could be written to, and the reason.
+    refused: Option<(PathBuf, String)>,
     /// Entries of the folder, and the text that they were found for.
     beside: Option<(String, Vec<Entry>)>,
 }
@@ -54,7 +58,17 @@ enum PathEffect {
 impl PathField {
     /// Asks for a file, beginning at a path.
     pub(crate) fn new(purpose: FilePurpose, path: &Path, stands_in: bool) -> Self {
-        Self { purpose, stands_in, text: path.display().to_string(), is_new: true, beside: None }
+        let text = path.display().to_string();
+        Self { purpose, stands_in, text, is_new: true, refused: None, beside: None }
+    }
+
+    /// Asks again, since nothing could be written to a path.
+    pub(crate) fn refused(mut self, path: &Path, problem: &Diagnostic) -> Self {
+        // A look beside a scene has another file than the one that was asked for.
+        let file = problem.place.file.clone().unwrap_or_else(|| path.display().to_string());
+        let reason = format!("{}\n{}", tr!("Not saved: {file}"), sentence(problem));
+        self.refused = Some((path.to_owned(), reason));
+        self
     }
 
     /// Shows the field. Returns the chosen path, or `Some(None)` when the user cancels.
@@ -76,13 +90,20 @@ impl PathField {
             let opens = ui.scope(|ui| self.entries(ui)).inner;
             let path = self.path();
             let verdict = verdict(self.purpose, &path);
+            let refused = self.refused.as_ref().filter(|(refused, _)| *refused == path);
             let reason = match verdict {
                 PathEffect::Bad(reason) => reason,
                 _ if self.purpose.is_folder() && !path.exists() => tr!("The folder will be made"),
                 PathEffect::Replaces => tr!("There is such a file; it would be replaced"),
                 PathEffect::Good | PathEffect::Folder => "",
             };
-            ui.label(RichText::new(reason).color(theme::of(ui).warning));
+            match refused {
+                // Long paths take several lines, so that all of the reason is seen.
+                Some((_, reason)) => {
+                    ui.add(Label::new(RichText::new(reason).color(theme::of(ui).error)).wrap())
+                }
+                None => ui.label(RichText::new(reason).color(theme::of(ui).warning)),
+            };
             ui.horizontal(|ui| {
                 let label = match (&verdict, self.purpose.writes()) {
                     _ if self.purpose.is_folder() => tr!("Export here"),

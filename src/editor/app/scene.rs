@@ -9,6 +9,7 @@ use super::App;
 use super::files::PendingAction;
 use crate::app::look_export::stem_of;
 use crate::commands::{Command, FilePurpose, PanelId, SceneCommand, ShotCommand};
+use crate::diag::Diagnostic;
 use crate::document::SceneEdit;
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
@@ -353,30 +354,33 @@ impl App {
     }
 
     fn save_scene_and_go_on(&mut self, path: &Path) {
-        if self.save_scene_as(path) {
-            self.go_on_if_safe();
-        } else {
-            let is_shot = self.session.shot().is_some();
-            let purpose = if is_shot { FilePurpose::SaveShot } else { FilePurpose::SaveScene };
-            self.ask_again(purpose, path);
-        }
+        let Err(problem) = self.write_scene(path) else {
+            return self.go_on_if_safe();
+        };
+        let is_shot = self.session.shot().is_some();
+        let purpose = if is_shot { FilePurpose::SaveShot } else { FilePurpose::SaveScene };
+        self.ask_again(purpose, path, &problem);
     }
 
     /// Saves the scene to a file, and reports a failure. A look that objects wear and that has no
     /// file yet is saved beside the scene, which names it. Returns true if the files are written.
     pub fn save_scene_as(&mut self, path: &Path) -> bool {
+        self.write_scene(path).is_ok()
+    }
+
+    fn write_scene(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let look = self.look_beside(path);
-        if look.as_ref().is_some_and(|look| !self.save_as(look)) {
-            return false;
+        if let Some(look) = &look {
+            self.write_look(look)?;
         }
         let saved = self.session.save_scene_as(path);
-        let is_saved = self.tell_saved(path, saved);
-        if let Some(look) = look.as_deref().and_then(Path::file_name).filter(|_| is_saved) {
+        self.tell_saved(path, saved)?;
+        if let Some(look) = look.as_deref().and_then(Path::file_name) {
             let look = look.to_string_lossy();
             self.message =
                 Some(tr!("Saved {file}, and its look {look} beside it", file = path.display()));
         }
-        is_saved
+        Ok(())
     }
 
     /// File beside a scene's for the open look, where objects wear it and it has none yet.

@@ -13,9 +13,11 @@ use crate::commands::{
     Command, DisplayCommand, FilePurpose, FilmCommand, LibraryCommand, PaintCommand, SceneCommand,
     TourTopic, ViewCommand, is_image,
 };
+use crate::diag::Diagnostic;
 use crate::panels::PanelContext;
 use crate::panels::start::{self, Start};
 use crate::state::comparison::ComparedPicture;
+use crate::state::document::CHANGED_ON_DISK;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
 use crate::widgets::theme;
@@ -121,11 +123,14 @@ impl App {
         self.path_field = Some(PathField::new(FilePurpose::Open, &folder.join(""), false));
     }
 
-    /// Asks for a path again where the window itself asks, since nothing could be written there;
-    /// the message stays.
-    pub(super) fn ask_again(&mut self, purpose: FilePurpose, path: &Path) {
-        if self.dialogs.way == DialogKind::Window {
-            self.path_field = Some(PathField::new(purpose, path, true));
+    /// Asks again for a path in the window, which tells why nothing could be written there: a
+    /// dialog of the system is gone by then. For a file that another program changed, the window
+    /// has offers of its own.
+    pub(super) fn ask_again(&mut self, purpose: FilePurpose, path: &Path, problem: &Diagnostic) {
+        if self.dialogs.way != DialogKind::Silent && problem.code != CHANGED_ON_DISK {
+            let stands_in = self.dialogs.way == DialogKind::Window;
+            let field = PathField::new(purpose, path, stands_in);
+            self.path_field = Some(field.refused(path, problem));
         }
     }
 

@@ -138,6 +138,8 @@ pub(crate) enum Command {
     CompareFrames(Option<PathBuf>),
     /// Remembers the memory that frames of playback take, in MiB.
     KeepFrameMemory(u32),
+    /// Remembers the farm, by its word, that jobs are for.
+    KeepFarm(&'static str),
     /// Chooses the light that handles, placing and looking through are of.
     ChooseLight(LightId),
     /// Links the lights that are selected in the links' pane to the object under the pointer, or

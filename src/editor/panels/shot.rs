@@ -90,7 +90,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
 
 /// Shows a row of what a shot may leave to the documents under it. Said by the shot itself over a
 /// sequence, it has the mark of a change, with the way back by `reset`.
-fn inherited(
+pub(super) fn inherited(
     ui: &mut Ui,
     shot: &OpenShot,
     (label, help): (&str, &str),

@@ -59,6 +59,8 @@ pub struct Settings {
     pub library_folders: Vec<PathBuf>,
     /// View that the picture is shown by; `None` for the curve of sRGB.
     pub display: Option<DisplayChoice>,
+    /// Word of the farm that jobs were last for.
+    pub farm: Option<String>,
     /// Settings of other versions, kept as they are.
     unknown: Map<String, Value>,
 }
@@ -77,6 +79,7 @@ impl Default for Settings {
             frame_memory: DEFAULT_FRAME_MEMORY,
             library_folders: Vec::new(),
             display: None,
+            farm: None,
             unknown: Map::new(),
         }
     }
@@ -111,6 +114,7 @@ impl Settings {
         let folders = folders.as_array().into_iter().flatten().filter_map(Value::as_str);
         let library_folders = folders.map(PathBuf::from).collect();
         let display = serde_json::from_value(take("display")).unwrap_or_default();
+        let farm = take("farm").as_str().map(str::to_owned);
         Self {
             recent,
             theme,
@@ -123,6 +127,7 @@ impl Settings {
             frame_memory,
             library_folders,
             display,
+            farm,
             unknown: members,
         }
     }
@@ -154,6 +159,7 @@ impl Settings {
         if let Some(display) = &self.display {
             members.insert("display".into(), serde_json::to_value(display).unwrap_or_default());
         }
+        members.extend(self.farm.clone().map(|farm| ("farm".into(), farm.into())));
         members.extend(self.unknown.clone());
         let mut text = serde_json::to_string_pretty(&Value::Object(members)).unwrap_or_default();
         text.push('\n');
@@ -228,6 +234,7 @@ mod tests {
         settings.light_columns.insert("range".to_owned(), false);
         let [config, display, view] = ["a.ocio", "sRGB", "Film"].map(str::to_owned);
         settings.display = Some(DisplayChoice { config, display, view });
+        settings.farm = Some("openjd".to_owned());
         settings.library_folders.push(PathBuf::from("/shared/looks"));
         settings.opened(Path::new("/a/one.json"));
         settings.save(&path).unwrap();
@@ -268,7 +275,8 @@ mod tests {
             "[]",
             "{",
             "null",
-            r#"{"recent": 5, "theme": 7, "scale": "x", "language": 3, "mesh": [], "display": {}}"#,
+            r#"{"recent": 5, "theme": 7, "scale": "x", "language": 3, "mesh": [], "display": {},
+                "farm": 1}"#,
         ] {
             assert_eq!(Settings::read(text), Settings::default(), "{text}");
         }

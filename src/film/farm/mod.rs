@@ -13,10 +13,19 @@ mod slurm;
 use chiaro_locale::{Text, text, tr};
 
 use crate::diag::Diagnostic;
+use crate::frame::ShotStack;
 use crate::frames::FrameList;
 
 /// Attempts at a chunk before its frames are given up.
 pub const ATTEMPTS: u32 = 3;
+
+/// Greatest number of frames of a task, where neither a shot nor a command says another.
+pub const DEFAULT_CHUNK: u32 = 10;
+
+/// The greatest number of frames of a task that the nearest shot says.
+pub fn chunk_of(stack: &ShotStack) -> u32 {
+    stack.shots.iter().find_map(|file| file.shot.chunk).unwrap_or(DEFAULT_CHUNK)
+}
 
 /// Frames to be drawn by a farm, as a command line.
 #[derive(Clone, Debug, PartialEq, Eq)]

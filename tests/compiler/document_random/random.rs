@@ -724,6 +724,7 @@ impl Random {
                 .chance(4)
                 .then(|| [1 + self.below(4000) as u32, 1 + self.below(4000) as u32]),
             step: self.chance(4).then(|| 1 + self.below(4) as u32),
+            chunk: self.chance(4).then(|| 1 + self.below(100) as u32),
             camera,
             markers: (0..self.below(3))
                 .map(|_| ShotMarker {

@@ -33,6 +33,8 @@ pub enum ShotEdit {
     SetSize { size: Option<[u32; 2]> },
     /// Sets the frames for which everything that shades is held.
     SetStep { step: Option<u32> },
+    /// Sets the greatest number of frames of a farm's task.
+    SetChunk { chunk: Option<u32> },
     /// Sets the camera in place of that of what is changed.
     SetShotCamera { camera: Option<Camera> },
     /// Sets the frames that have a name.
@@ -121,6 +123,9 @@ impl Editable for Shot {
             ShotEdit::SetRate { rate } => ShotEdit::SetRate { rate: replace(&mut self.rate, rate) },
             ShotEdit::SetSize { size } => ShotEdit::SetSize { size: replace(&mut self.size, size) },
             ShotEdit::SetStep { step } => ShotEdit::SetStep { step: replace(&mut self.step, step) },
+            ShotEdit::SetChunk { chunk } => {
+                ShotEdit::SetChunk { chunk: replace(&mut self.chunk, chunk) }
+            }
             ShotEdit::SetShotCamera { camera } => {
                 ShotEdit::SetShotCamera { camera: replace(&mut self.camera, camera) }
             }
@@ -159,6 +164,7 @@ impl Editable for Shot {
             ShotEdit::SetRate { .. } => tr!("change the rate").to_owned(),
             ShotEdit::SetSize { .. } => tr!("change the size of the picture").to_owned(),
             ShotEdit::SetStep { .. } => tr!("change the step").to_owned(),
+            ShotEdit::SetChunk { .. } => tr!("change the frames a task").to_owned(),
             ShotEdit::SetShotCamera { .. } => tr!("move the camera").to_owned(),
             ShotEdit::SetShotMarkers { .. } => tr!("change markers").to_owned(),
         }
@@ -174,7 +180,9 @@ impl Editable for Shot {
     fn is_annotation(edit: &ShotEdit) -> bool {
         match edit {
             ShotEdit::Group { edits } => edits.iter().all(Self::is_annotation),
-            ShotEdit::SetShotName { .. } | ShotEdit::SetShotMarkers { .. } => true,
+            ShotEdit::SetShotName { .. }
+            | ShotEdit::SetShotMarkers { .. }
+            | ShotEdit::SetChunk { .. } => true,
             _ => false,
         }
     }
@@ -195,6 +203,7 @@ impl Editable for Shot {
             | (ShotEdit::SetRate { .. }, ShotEdit::SetRate { .. })
             | (ShotEdit::SetSize { .. }, ShotEdit::SetSize { .. })
             | (ShotEdit::SetStep { .. }, ShotEdit::SetStep { .. })
+            | (ShotEdit::SetChunk { .. }, ShotEdit::SetChunk { .. })
             | (ShotEdit::SetShotCamera { .. }, ShotEdit::SetShotCamera { .. })
             | (ShotEdit::SetShotMarkers { .. }, ShotEdit::SetShotMarkers { .. }) => true,
             _ => false,
@@ -238,6 +247,19 @@ mod tests {
         assert_eq!(history.document().overrides[0].target, "lights.key.intensity");
         history.undo();
         assert_eq!(*history.document(), shot, "in its old place");
+    }
+
+    #[test]
+    fn frames_of_a_task_are_the_shots_and_draw_nothing_else() {
+        let mut history = History::new(Shot::default());
+        let chunk = |chunk: u32| ShotEdit::SetChunk { chunk: Some(chunk) };
+        history.apply_in(1, chunk(4)).unwrap();
+        history.apply_in(1, chunk(6)).unwrap();
+        assert_eq!((history.document().chunk, history.steps()), (Some(6), (1, 0)));
+        assert!(Shot::is_annotation(&chunk(4)), "no picture is drawn anew");
+        assert!(history.apply(chunk(0)).is_err(), "a task has a frame");
+        history.undo();
+        assert_eq!(history.document().chunk, None);
     }
 
     #[test]

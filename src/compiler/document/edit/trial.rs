@@ -150,6 +150,7 @@ pub(super) fn check_shot(edit: &ShotEdit) -> Check {
         ShotEdit::SetRate { rate } => trial.rate = *rate,
         ShotEdit::SetSize { size } => trial.size = *size,
         ShotEdit::SetStep { step } => trial.step = *step,
+        ShotEdit::SetChunk { chunk } => trial.chunk = *chunk,
         ShotEdit::SetShotCamera { camera } => trial.camera = *camera,
         ShotEdit::SetShotMarkers { markers } => trial.markers.clone_from(markers),
         _ => return Ok(()),

@@ -30,6 +30,9 @@ const MAX_FRAME: f64 = 99_999_999.0;
 /// Frames that a value is held for.
 const STEPS: NumberBounds = NumberBounds::whole(1.0, 1000.0);
 
+/// Frames of a farm's task.
+const CHUNKS: NumberBounds = NumberBounds::whole(1.0, 100_000.0);
+
 described! {
     /// Changes to a scene, or to another shot, for a range of frames.
     #[serde(default)]
@@ -62,6 +65,9 @@ described! {
         /// objects. 1 is on ones, 2 on twos. Cameras and objects move on.
         step: Option<u32> = None, FieldKind::Number(STEPS),
             words "that of the shot it changes, or else 1";
+        /// Greatest number of frames of a task, where a farm draws them.
+        chunk: Option<u32> = None, FieldKind::Number(CHUNKS),
+            words "that of the shot it changes, or else 10";
         /// Camera in place of that of what is changed.
         camera: Option<Camera> = None, FieldKind::Object(Camera::shape), words "none";
         /// Frames with a name.

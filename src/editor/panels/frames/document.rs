@@ -3,6 +3,7 @@
 use chiaro_locale::tr;
 
 use crate::document::{FrameRate, TimeRange};
+use crate::film::farm::chunk_of;
 use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};
 use crate::state::runs::FilmDocument;
 use crate::state::session::Session;
@@ -28,6 +29,7 @@ pub(crate) fn document_of(session: &Session) -> Result<FilmDocument, &'static st
             size: shot.stack().size(),
             mesh: None,
             is_shot: true,
+            chunk: Some(chunk_of(shot.stack())),
         });
     }
     if let Some(open_scene) = session.open_scene() {
@@ -44,6 +46,7 @@ pub(crate) fn document_of(session: &Session) -> Result<FilmDocument, &'static st
             size: None,
             mesh: None,
             is_shot: false,
+            chunk: None,
         });
     }
     let path = session.path().ok_or(tr!("The look is in no file yet. Save it first."))?;
@@ -56,6 +59,7 @@ pub(crate) fn document_of(session: &Session) -> Result<FilmDocument, &'static st
         size: None,
         mesh: (!is_default).then(|| (from_anywhere(&orbit.mesh), orbit.z_is_up)),
         is_shot: false,
+        chunk: None,
     })
 }
 

@@ -2,14 +2,17 @@
 
 use chiaro_locale::{tr, trn};
 use eframe::egui::style::ScrollAnimation;
-use eframe::egui::{Align, Button, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Align, Button, Response, RichText, Role, Ui, WidgetInfo};
 
 use super::{FrameRenders, JobRun, command_text, view_of};
-use crate::commands::{Command, FilmCommand};
+use crate::commands::{Command, FilmCommand, SceneCommand, ShotCommand};
+use crate::document::ShotEdit;
 use crate::fields::row::labelled;
 use crate::film::farm::{FARMS, Farm};
+use crate::panels::shot::inherited;
 use crate::panels::table::PanelContext;
 use crate::state::runs::{FilmDocument, RunEnd};
+use crate::state::session::Session;
 use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -34,35 +37,13 @@ impl FrameRenders {
             ui,
             tr!("The same frames, drawn by many machines. The job is a file that you submit."),
         );
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 3.0;
-            for farm in FARMS {
-                let is_it = self.farm.to == farm.word;
-                let response = ui.selectable_label(is_it, farm.word);
-                let name = tr!("Farm {name}", name = farm.word);
-                response
-                    .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
-                let help = tr!("Submitted by {command}", command = farm.submitted_by);
-                if response.on_hover_text(help).clicked() {
-                    self.farm.to = farm.word;
-                }
-            }
-        });
-        let count = self.choices.list(document).map_or(0, |list| list.frames().len());
-        labelled(ui, tr!("Frames a task"), tr!("Greatest number of frames of a task"), |ui, _| {
-            let drag = number_field(ui, &mut self.farm.chunk).range(1..=100_000).speed(0.2);
-            let response = ui.add(drag);
-            response
-                .widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frames a task")));
-            let tasks = count.div_ceil(self.farm.chunk.max(1) as usize);
-            ui.label(
-                RichText::new(trn!(tasks, "{tasks} task", "{tasks} tasks"))
-                    .color(theme::of(ui).dim),
-            );
-        });
-        let line = self.choices.job(document, view_of(context), &self.farm);
+        let farm = self.farm_of(context, document);
+        farms(ui, farm.to, out);
+        let count = self.choices.list(document).map_or(0, |list| list.frames().len() as u32);
+        self.chunk_row(ui, context.session, [farm.chunk, count], out);
+        let line = self.choices.job(document, view_of(context), &farm);
         let is_going_on = self.job.as_ref().is_some_and(|job| job.end.is_none());
-        let text = tr!("Write {file}", file = self.farm.job(&document.stem()));
+        let text = tr!("Write {file}", file = farm.job(&document.stem()));
         let button = ui.add_enabled(line.is_ok() && !is_going_on, Button::new(text));
         let help = tr!("Writes the job beside the document; nothing is sent anywhere");
         if button.on_hover_text(help).clicked() {
@@ -72,7 +53,7 @@ impl FrameRenders {
             command_text(ui, line, tr!("Copy the command that writes the job"), out);
         }
         // A job of another farm is submitted in another way.
-        let is_own = |job: &JobRun| job.document == document.path && job.farm == self.farm.to;
+        let is_own = |job: &JobRun| job.document == document.path && job.farm == farm.to;
         let is_shown = |job: &&JobRun| job.end.is_none() || is_own(job);
         let Some(job) = self.job.as_ref().filter(is_shown) else { return };
         written(ui, job, out);
@@ -85,6 +66,60 @@ impl FrameRenders {
             }
         }
     }
+
+    /// Shows the greatest number of frames of a task: the shot's own, where one is open.
+    fn chunk_row(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        numbers: [u32; 2],
+        out: &mut Vec<Command>,
+    ) {
+        let (label, help) = (tr!("Frames a task"), tr!("Greatest number of frames of a task"));
+        let Some(shot) = session.shot() else {
+            labelled(ui, label, help, |ui, _| {
+                self.chunk = chunk_field(ui, numbers).1.unwrap_or(self.chunk);
+            });
+            return;
+        };
+        let own = (shot.shot().chunk.is_some(), ShotEdit::SetChunk { chunk: None });
+        inherited(ui, shot, (label, help), own, out, |ui, _, out| {
+            let (field, changed) = chunk_field(ui, numbers);
+            let edit = changed.map(|chunk| ShotEdit::SetChunk { chunk: Some(chunk) });
+            out.extend(edit.map(|edit| {
+                Command::Scene(SceneCommand::Shot(ShotCommand::EditHeld(field.id, edit)))
+            }));
+        });
+    }
+}
+
+/// Shows the farms; the job is for one of them.
+fn farms(ui: &mut Ui, to: &str, out: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        for farm in FARMS {
+            let is_it = to == farm.word;
+            let response = ui.selectable_label(is_it, farm.word);
+            let name = tr!("Farm {name}", name = farm.word);
+            response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
+            let help = tr!("Submitted by {command}", command = farm.submitted_by);
+            if response.on_hover_text(help).clicked() {
+                out.push(Command::KeepFarm(farm.word));
+            }
+        }
+    });
+}
+
+/// Shows the field for the frames of a task, and how many tasks so many frames are. Returns the
+/// field, and the number where it changed.
+fn chunk_field(ui: &mut Ui, [mut chunk, frames]: [u32; 2]) -> (Response, Option<u32>) {
+    let response = ui.add(number_field(ui, &mut chunk).range(1..=100_000).speed(0.2));
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frames a task")));
+    let tasks = (frames as usize).div_ceil(chunk.max(1) as usize);
+    let text = trn!(tasks, "{tasks} task", "{tasks} tasks");
+    ui.label(RichText::new(text).color(theme::of(ui).dim));
+    let changed = response.changed().then_some(chunk);
+    (response, changed)
 }
 
 /// Shows where the job is, and how it is submitted.

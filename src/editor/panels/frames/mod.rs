@@ -18,6 +18,7 @@ use eframe::egui::{Button, RichText, ScrollArea, Ui};
 use crate::clock::Clock;
 use crate::commands::{Command, FilmCommand, PanelId};
 use crate::files::make_folder;
+use crate::film::farm::DEFAULT_CHUNK;
 use crate::panels::table::{PanelContext, PanelPlace, PanelRow};
 use crate::state::runs::{
     CommandLine, FarmChoices, FilmDocument, FrameChoices, FrameProgress, FrameSources, ProgramRun,
@@ -97,7 +98,8 @@ pub(crate) struct FrameRenders {
     wake: Arc<dyn Fn() + Send + Sync>,
     choices: FrameChoices,
     outputs: OutputMenu,
-    farm: FarmChoices,
+    /// Greatest number of frames of a farm's task, of documents that do not say it.
+    chunk: u32,
     /// Document that the choices are of.
     of: Option<PathBuf>,
     /// Choices of other documents.
@@ -131,7 +133,7 @@ impl FrameRenders {
             wake: Arc::new(wake),
             choices: FrameChoices::default(),
             outputs: OutputMenu::default(),
-            farm: FarmChoices::default(),
+            chunk: DEFAULT_CHUNK,
             of: None,
             others: HashMap::new(),
             written: HashMap::new(),
@@ -226,9 +228,10 @@ impl FrameRenders {
 
     fn start_job(&mut self, context: PanelContext<'_>, program: &Path) -> Result<(), String> {
         let document = document_of(context.session)?;
-        let line = self.choices.job(&document, view_of(context), &self.farm)?;
+        let farm = self.farm_of(context, &document);
+        let line = self.choices.job(&document, view_of(context), &farm)?;
         self.make_folder(&document)?;
-        let file = document.folder().join(self.farm.job(&document.stem()));
+        let file = document.folder().join(farm.job(&document.stem()));
         let is_ours = self.written.get(&file).is_some_and(|own| is_text_of(&file, own));
         let earlier = match is_ours || std::mem::take(&mut self.replaces_job) {
             true => put_aside(&file)?,
@@ -243,10 +246,16 @@ impl FrameRenders {
             end: None,
             document: document.path,
             file,
-            farm: self.farm.to,
+            farm: farm.to,
             earlier,
         });
         Ok(())
+    }
+
+    /// The farm of the settings, and the tasks of the document.
+    fn farm_of(&self, context: PanelContext<'_>, document: &FilmDocument) -> FarmChoices {
+        let farm = context.safety.settings.farm.as_deref();
+        FarmChoices::of(farm, document.chunk.unwrap_or(self.chunk))
     }
 
     /// Makes the folder of the frames, which the program expects.

@@ -5,15 +5,15 @@ use std::collections::BTreeSet;
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Color32, FontId, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
-    Vec2, WidgetInfo, pos2, vec2,
+    Color32, FontId, Rect, Response, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, Vec2,
+    pos2, vec2,
 };
 
 use super::varied::color_of;
-use super::{ShownSheet, TakenCell, Wedge, help, offer};
+use super::{SheetView, TakenCell, Wedge, help};
 use crate::commands::{Command, FilmCommand};
 use crate::state::session::Session;
-use crate::state::wedge::{CellScope, WedgeCell};
+use crate::state::wedge::WedgeCell;
 use crate::widgets::text::cell as text_cell;
 use crate::widgets::theme;
 
@@ -55,7 +55,7 @@ impl Wedge {
                 ui.label(RichText::new(help_of_clicks(session)).color(theme::of(ui).dim));
             });
             ui.add_space(6.0);
-            taken = cells(ui, shown, &sheet.cells, self.taken, session);
+            taken = self.view(sheet, shown, session).show_large(ui);
         });
         out.extend(taken.and_then(|taken| self.take(taken)));
         out
@@ -70,85 +70,66 @@ fn help_of_clicks(session: &Session) -> &'static str {
     }
 }
 
-/// Shows the cells; returns the one that is taken.
-fn cells(
-    ui: &mut Ui,
-    shown: &ShownSheet,
-    cells: &[WedgeCell],
-    taken: Option<usize>,
-    session: &Session,
-) -> Option<TakenCell> {
-    let columns = columns_of(cells);
-    let lines = cells.iter().map(|cell| words_of(cell).len()).max().unwrap_or(0);
-    let words = lines as f32 * LINE + 4.0;
-    let own = cells.iter().filter_map(|cell| cell.place);
-    let own = own.fold(Vec2::splat(1.0), |own, [.., width, height]| {
-        own.max(vec2(width as f32, height as f32))
-    });
-    let size =
-        picture_size(own, [columns, cells.len().div_ceil(columns)], words, ui.available_size());
-    let mut found = None;
-    ScrollArea::both().auto_shrink([false, false]).id_salt("large wedge").show(ui, |ui| {
-        ui.spacing_mut().item_spacing = vec2(GAP, GAP);
-        for (row, several) in cells.chunks(columns).enumerate() {
-            ui.horizontal(|ui| {
-                for (column, cell) in several.iter().enumerate() {
-                    let number = row * columns + column;
-                    let all = vec2(size.x, size.y + words);
-                    let (rect, response) = ui.allocate_exact_size(all, Sense::click());
-                    if !ui.is_rect_visible(rect) {
-                        continue;
+impl SheetView<'_> {
+    /// Shows the cells; returns the one that is taken.
+    fn show_large(self, ui: &mut Ui) -> Option<TakenCell> {
+        let cells = self.cells;
+        let columns = columns_of(cells);
+        let lines = cells.iter().map(|cell| words_of(cell).len()).max().unwrap_or(0);
+        let words = lines as f32 * LINE + 4.0;
+        let own = cells.iter().filter_map(|cell| cell.place);
+        let own = own.fold(Vec2::splat(1.0), |own, [.., width, height]| {
+            own.max(vec2(width as f32, height as f32))
+        });
+        let size =
+            picture_size(own, [columns, cells.len().div_ceil(columns)], words, ui.available_size());
+        let mut found = None;
+        ScrollArea::both().auto_shrink([false, false]).id_salt("large wedge").show(ui, |ui| {
+            ui.spacing_mut().item_spacing = vec2(GAP, GAP);
+            for (row, several) in cells.chunks(columns).enumerate() {
+                ui.horizontal(|ui| {
+                    for number in (row * columns..).take(several.len()) {
+                        let all = vec2(size.x, size.y + words);
+                        let (rect, response) = ui.allocate_exact_size(all, Sense::click());
+                        if !ui.is_rect_visible(rect) {
+                            continue;
+                        }
+                        self.paint(ui, rect, size, number, &response);
+                        found = self.taken_by(&response, number).or(found);
+                        response.on_hover_text(help(self.session));
                     }
-                    let is_taken = taken == Some(number);
-                    paint(ui, rect, size, (shown, cell), is_taken, &response);
-                    let label =
-                        tr!("Cell {number}: {values}", number = number + 1, values = cell.label());
-                    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
-                    found = offer(&response, session).map(|scope| (number, scope)).or(found);
-                    if response.clicked() {
-                        found = Some((number, CellScope::AsKeyed));
-                    }
-                    response.on_hover_text(help(session));
-                }
-            });
-        }
-    });
-    found
-}
+                });
+            }
+        });
+        found
+    }
 
-/// Paints a cell: its part of the sheet, and its values below that.
-fn paint(
-    ui: &Ui,
-    rect: Rect,
-    size: Vec2,
-    (shown, cell): (&ShownSheet, &WedgeCell),
-    is_taken: bool,
-    response: &Response,
-) {
-    let colors = theme::of(ui);
-    let picture = Rect::from_min_size(rect.min, size);
-    ui.painter().rect_filled(picture, 0.0, colors.canvas);
-    if let Some(part) = shown.part_of(cell) {
-        ui.painter().image(shown.texture.id(), picture, part, Color32::WHITE);
-    }
-    let is_hot = response.hovered() || response.has_focus();
-    if is_hot || is_taken {
-        let stroke = Stroke::new(if is_hot { 2.5 } else { 1.5 }, colors.accent);
-        ui.painter().rect_stroke(picture, 0.0, stroke, StrokeKind::Outside);
-    }
-    for (line, (text, color)) in words_of(cell).into_iter().enumerate() {
-        let top = picture.bottom() + 4.0 + line as f32 * LINE;
-        let mut left = rect.left();
-        if let Some(color) = color {
-            let swatch = Rect::from_min_size(pos2(left, top + 3.0), vec2(10.0, 10.0));
-            ui.painter().rect_filled(swatch, 2.0, color);
-            let stroke = Stroke::new(1.0, colors.swatch_edge);
-            ui.painter().rect_stroke(swatch, 2.0, stroke, StrokeKind::Inside);
-            left += 14.0;
+    /// Paints a cell: its part of the sheet, and its values below that.
+    fn paint(self, ui: &Ui, rect: Rect, size: Vec2, number: usize, response: &Response) {
+        let (shown, cell) = (self.shown, &self.cells[number]);
+        let colors = theme::of(ui);
+        let picture = Rect::from_min_size(rect.min, size);
+        ui.painter().rect_filled(picture, 0.0, colors.canvas);
+        if let Some(part) = shown.part_of(cell) {
+            ui.painter().image(shown.texture.id(), picture, part, Color32::WHITE);
         }
-        let place = Rect::from_min_max(pos2(left, top), pos2(rect.right(), top + LINE));
-        let ink = if is_taken { colors.accent } else { colors.text };
-        text_cell(ui, place, &text, FontId::proportional(12.0), ink);
+        let stroke = self.frame(ui, number, response);
+        ui.painter().rect_stroke(picture, 0.0, stroke, StrokeKind::Outside);
+        let is_taken = self.taken == Some(number);
+        for (line, (text, color)) in words_of(cell).into_iter().enumerate() {
+            let top = picture.bottom() + 4.0 + line as f32 * LINE;
+            let mut left = rect.left();
+            if let Some(color) = color {
+                let swatch = Rect::from_min_size(pos2(left, top + 3.0), vec2(10.0, 10.0));
+                ui.painter().rect_filled(swatch, 2.0, color);
+                let stroke = Stroke::new(1.0, colors.swatch_edge);
+                ui.painter().rect_stroke(swatch, 2.0, stroke, StrokeKind::Inside);
+                left += 14.0;
+            }
+            let place = Rect::from_min_max(pos2(left, top), pos2(rect.right(), top + LINE));
+            let ink = if is_taken { colors.accent } else { colors.text };
+            text_cell(ui, place, &text, FontId::proportional(12.0), ink);
+        }
     }
 }
 

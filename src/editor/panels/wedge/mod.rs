@@ -69,6 +69,16 @@ impl ShownSheet {
     }
 }
 
+/// A sheet with its picture, as it is shown small or large.
+#[derive(Clone, Copy)]
+struct SheetView<'s> {
+    shown: &'s ShownSheet,
+    cells: &'s [WedgeCell],
+    /// Cell that was taken last.
+    taken: Option<usize>,
+    session: &'s Session,
+}
+
 /// Number of a cell that is taken, and the frames that it is taken for.
 type TakenCell = (usize, CellScope);
 
@@ -200,9 +210,7 @@ impl Wedge {
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("wedge").show(ui, |ui| {
             match &self.shown {
                 Some(_) if self.is_large() => {}
-                Some(shown) => {
-                    taken = show_picture(ui, shown, &sheet.cells, self.taken, session);
-                }
+                Some(shown) => taken = self.view(sheet, shown, session).show_small(ui),
                 None if self.is_blind => {
                     let file = sheet.picture();
                     let file = file.file_name().unwrap_or_default().to_string_lossy();
@@ -225,6 +233,16 @@ impl Wedge {
         });
         out.extend(taken.and_then(|taken| self.take(taken)));
         out
+    }
+
+    /// The sheet, as it is shown.
+    fn view<'s>(
+        &self,
+        sheet: &'s WedgeSheet,
+        shown: &'s ShownSheet,
+        session: &'s Session,
+    ) -> SheetView<'s> {
+        SheetView { shown, cells: &sheet.cells, taken: self.taken, session }
     }
 
     /// Command that takes a cell, which is marked from now on.
@@ -282,50 +300,58 @@ fn offer(response: &Response, session: &Session) -> Option<CellScope> {
     chosen
 }
 
-/// Shows the sheet as wide as there is room; the cell under the pointer is framed, and tells its
-/// values. Returns the cell that is clicked.
-fn show_picture(
-    ui: &mut Ui,
-    shown: &ShownSheet,
-    cells: &[WedgeCell],
-    taken: Option<usize>,
-    session: &Session,
-) -> Option<TakenCell> {
-    let own = Vec2::from(shown.size.map(|side| side as f32));
-    let width = ui.available_width().min(own.x);
-    let size = vec2(width, width * own.y / own.x);
-    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    let painter = ui.painter_at(rect);
-    painter.image(shown.texture.id(), rect, whole, Color32::WHITE);
-    let colors = theme::of(ui);
-    let mut found = None;
-    for (number, cell) in cells.iter().enumerate() {
-        let Some(part) = shown.part_of(cell) else { continue };
-        let place = Rect::from_min_max(
-            rect.lerp_inside(part.min.to_vec2()),
-            rect.lerp_inside(part.max.to_vec2()),
-        );
-        if !rect.expand(1.0).contains_rect(place) || !ui.is_rect_visible(place) {
-            continue;
+impl SheetView<'_> {
+    /// Shows the sheet as wide as there is room; the cell under the pointer is framed, and tells
+    /// its values. Returns the cell that is taken.
+    fn show_small(self, ui: &mut Ui) -> Option<TakenCell> {
+        let Self { shown, cells, .. } = self;
+        let own = Vec2::from(shown.size.map(|side| side as f32));
+        let width = ui.available_width().min(own.x);
+        let size = vec2(width, width * own.y / own.x);
+        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        let painter = ui.painter_at(rect);
+        painter.image(shown.texture.id(), rect, whole, Color32::WHITE);
+        let mut found = None;
+        for (number, cell) in cells.iter().enumerate() {
+            let Some(part) = shown.part_of(cell) else { continue };
+            let place = Rect::from_min_max(
+                rect.lerp_inside(part.min.to_vec2()),
+                rect.lerp_inside(part.max.to_vec2()),
+            );
+            if !rect.expand(1.0).contains_rect(place) || !ui.is_rect_visible(place) {
+                continue;
+            }
+            let id = ui.scope_id().with(("cell", number));
+            let response = ui.interact(place, id, Sense::click());
+            let stroke = self.frame(ui, number, &response);
+            painter.rect_stroke(place, 0.0, stroke, StrokeKind::Outside);
+            found = self.taken_by(&response, number).or(found);
+            enlarge(response, shown, cell, (part, part.size() * own), self.session);
         }
-        let response = ui.interact(place, ui.scope_id().with(("cell", number)), Sense::click());
-        let label = tr!("Cell {number}: {values}", number = number + 1, values = cell.label());
-        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
-        let is_hot = response.hovered() || response.has_focus();
-        let stroke = match (is_hot, taken == Some(number)) {
-            (true, _) => Stroke::new(2.5, colors.accent),
-            (false, true) => Stroke::new(1.5, colors.accent),
-            (false, false) => Stroke::NONE,
-        };
-        painter.rect_stroke(place, 0.0, stroke, StrokeKind::Outside);
-        found = offer(&response, session).map(|scope| (number, scope)).or(found);
-        if response.clicked() {
-            found = Some((number, CellScope::AsKeyed));
-        }
-        enlarge(response, shown, cell, (part, part.size() * own), session);
+        found
     }
-    found
+
+    /// Frame around a cell: under the pointer, or taken last.
+    fn frame(self, ui: &Ui, number: usize, response: &Response) -> Stroke {
+        let is_hot = response.hovered() || response.has_focus();
+        let color = theme::of(ui).accent;
+        match (is_hot, self.taken == Some(number)) {
+            (true, _) => Stroke::new(2.5, color),
+            (false, true) => Stroke::new(1.5, color),
+            (false, false) => Stroke::NONE,
+        }
+    }
+
+    /// Names a cell for who does not see it; the cell is returned where it is taken.
+    fn taken_by(self, response: &Response, number: usize) -> Option<TakenCell> {
+        let values = self.cells[number].label();
+        let label = tr!("Cell {number}: {values}", number = number + 1);
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
+        let offered = offer(response, self.session);
+        let scope = if response.clicked() { Some(CellScope::AsKeyed) } else { offered };
+        scope.map(|scope| (number, scope))
+    }
 }
 
 /// Shows the colors of a cell.

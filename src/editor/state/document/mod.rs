@@ -20,6 +20,9 @@ use journal::DocumentJournal;
 pub(crate) use text::TextFile;
 use times::{Gestures, Times};
 
+/// Code of the problem that another program changed a file since it was read.
+pub(crate) const CHANGED_ON_DISK: &str = "changed-on-disk";
+
 /// An open document.
 pub(crate) struct OpenDocument<D: FileDocument> {
     pub(crate) history: History<D>,
@@ -162,7 +165,7 @@ where
         }
         if let OnDisk::Changed(_) = self.on_disk() {
             let (message, hint) = (D::REFUSALS.is_changed.tr(), D::REFUSALS.choose.tr());
-            return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
+            return Err(Box::new(Diagnostic::error(CHANGED_ON_DISK, message).hint(hint)));
         }
         Ok(true)
     }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use chiaro_locale::{Text, text, tr};
 
 use super::{CommandLine, PickedOutput, Variation};
+use crate::film::farm::{DEFAULT_CHUNK, Farm};
 use crate::film::{Contributions, FrameList, FramePattern, FrameRate, MatteKind};
 use crate::ids::make_slug;
 use crate::state::display::DisplayChoice;
@@ -70,6 +71,8 @@ pub(crate) struct FilmDocument {
     pub(crate) mesh: Option<(String, bool)>,
     /// True for a shot, whose frames need not be said.
     pub(crate) is_shot: bool,
+    /// Greatest number of frames of a farm's task, which a shot says.
+    pub(crate) chunk: Option<u32>,
 }
 
 impl FilmDocument {
@@ -161,11 +164,17 @@ pub(crate) struct FarmChoices {
 
 impl Default for FarmChoices {
     fn default() -> Self {
-        Self { to: "slurm", chunk: 10 }
+        Self { to: "slurm", chunk: DEFAULT_CHUNK }
     }
 }
 
 impl FarmChoices {
+    /// Choices for the farm of a word, where there is one of that name.
+    pub(crate) fn of(farm: Option<&str>, chunk: u32) -> Self {
+        let to = farm.and_then(Farm::named).map_or(Self::default().to, |farm| farm.word);
+        Self { to, chunk }
+    }
+
     /// Name of the job's file.
     pub(crate) fn job(&self, stem: &str) -> String {
         let ending = match self.to {
@@ -399,6 +408,7 @@ mod tests {
             size: Some([1920, 1080]),
             mesh: None,
             is_shot: true,
+            chunk: None,
         }
     }
 
@@ -462,7 +472,8 @@ mod tests {
     #[test]
     fn jobs_and_wedges_are_command_lines_too() {
         let choices = FrameChoices::default();
-        let farm = FarmChoices { to: "openjd", chunk: 5 };
+        assert_eq!(FarmChoices::of(Some("another"), 10), FarmChoices::default());
+        let farm = FarmChoices::of(Some("openjd"), 5);
         assert_eq!(
             choices.job(&shot(), None, &farm).unwrap().text(),
             "chiaro farm sh010.json -o 'out/####.exr' --to openjd --chunk 5 --job sh010.job.json"

@@ -72,8 +72,8 @@ fn hash_of(path: &Path, files: &dyn Files) -> Option<u64> {
             Scene { name, about, markers, ..scene.value? }.to_text()
         }
         Document::Shot(shot) => {
-            let Shot { name, about, markers, .. } = Shot::default();
-            Shot { name, about, markers, ..shot.value? }.to_text()
+            let Shot { name, about, markers, chunk, .. } = Shot::default();
+            Shot { name, about, markers, chunk, ..shot.value? }.to_text()
         }
     };
     let mut hasher = DefaultHasher::new();
@@ -120,8 +120,8 @@ mod tests {
         let mut sources = FrameSources::of([&shot, &look, &mesh].map(PathBuf::clone), &Disk);
         let mut changed = || sources.changed(&Disk).map(Path::to_path_buf);
         assert_eq!(changed(), None);
-        // A marker and a moved node draw the same.
-        let marker = r#""markers": [{"frame": 3, "name": "hit"}], "overrides""#;
+        // A marker, other tasks of a farm and a moved node draw the same.
+        let marker = r#""markers": [{"frame": 3, "name": "hit"}], "chunk": 4, "overrides""#;
         write(&shot, &SHOT.replace("\"overrides\"", marker));
         write(&look, &LOOK.replace("[0, 0]", "[240, 80]"));
         assert_eq!(changed(), None);

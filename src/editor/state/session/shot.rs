@@ -367,6 +367,7 @@ impl Session {
     /// # Errors
     /// No shot is open.
     pub(crate) fn key_all_in_shot(&mut self) -> Result<(), Box<Diagnostic>> {
+        self.refresh_keys();
         let mut edits = Vec::new();
         if let Some(shot) = self.shot() {
             let open = shot.open_look();
@@ -388,6 +389,7 @@ impl Session {
     /// # Errors
     /// The value has none that could be keyed.
     pub(crate) fn key_in_shot(&mut self, at: &ShotAddress) -> Result<(), Box<Diagnostic>> {
+        self.refresh_keys();
         let Some(value) = self.value_in_shot(at) else {
             let message = tr!("`{value}` has no value to key", value = at.text());
             return Err(Box::new(Diagnostic::error("impossible-edit", message)));
@@ -401,13 +403,22 @@ impl Session {
         }
     }
 
-    /// The present value at an address; of a look that is not open, what the shot sets.
+    /// The present value at an address, as keys give it since they were last refreshed; of a look
+    /// that is not open, what the shot sets.
     pub(super) fn value_in_shot(&self, at: &ShotAddress) -> Option<Value> {
         let shot = self.shot()?;
         match &at.look {
             None => {
-                let place = self.open_scene()?.scene().value_at(&at.target).ok()?;
-                serde_json::from_value(place.value).ok()
+                let of_keys = || {
+                    let target = keyed_target(&at.target)?;
+                    self.keys().of_scene()?.values().values.get(&target).cloned()
+                };
+                let own = || {
+                    let place = self.open_scene()?.scene().value_at(&at.target).ok()?;
+                    serde_json::from_value(place.value).ok()
+                };
+                // Keys of lights lie over their own values, which the scene has beneath.
+                of_keys().or_else(own)
             }
             Some(_) if at.look == shot.open_look() => {
                 let target = keyed_target(&at.target)?;
@@ -558,12 +569,28 @@ pub(crate) fn json_text(json: &Json) -> String {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
+    use std::path::PathBuf;
+
     use super::*;
     use crate::document::{ShotKey, TimeKey};
     use crate::frame::Track;
     use crate::library::Library;
     use crate::state::shot::shots_that_change;
+
+    /// Puts a scene of one ball, and a shot of twelve frames over it with these overrides, into a
+    /// folder; returns the path of the shot.
+    pub(crate) fn put_shot(folder: &Path, overrides: &str) -> PathBuf {
+        let shot = format!(
+            r#"{{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
+                "overrides": {overrides}}}"#
+        );
+        let scene = r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#;
+        std::fs::write(folder.join("scene.json"), scene).unwrap();
+        let path = folder.join("shot.json");
+        std::fs::write(&path, shot).unwrap();
+        path
+    }
 
     /// Numbers of the open shot's own keys of a value at frames, at places half a frame apart.
     fn curve(session: &Session, at: &ShotAddress) -> Vec<f64> {
@@ -580,18 +607,15 @@ pub(super) mod tests {
     #[test]
     fn a_key_that_is_added_bends_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
-        put(
-            "shot.json",
-            r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
-                "overrides": [{"target": "camera.height", "keys": [
+        let shot = put_shot(
+            folder.path(),
+            r#"[{"target": "camera.height", "keys": [
                 {"frame": 1, "value": 1, "interpolation": "bezier"},
                 {"frame": 6, "value": 2, "interpolation": "bezier"},
-                {"frame": 12, "value": 6, "interpolation": "bezier"}]}]}"#,
+                {"frame": 12, "value": 6, "interpolation": "bezier"}]}]"#,
         );
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
-        session.open(&folder.path().join("shot.json")).unwrap();
+        session.open(&shot).unwrap();
         let at = ShotAddress { look: None, target: "camera.height".to_owned() };
         let before = curve(&session, &at);
         for frame in [9, 3, 12, 14] {
@@ -635,6 +659,30 @@ pub(super) mod tests {
         session.open(&folder.join("shot.json")).unwrap();
         session.open(&folder.join("look.json")).unwrap();
         session
+    }
+
+    #[test]
+    fn a_value_of_a_keyed_light_is_that_of_the_moment() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut session = opened(folder.path());
+        let value = |session: &mut Session, target: &str| {
+            session.refresh_keys();
+            let at = ShotAddress { look: None, target: target.to_owned() };
+            session.value_in_shot(&at)
+        };
+        let mut intensity = |frame: i32| {
+            let time = session.shot().unwrap().rate().time(frame);
+            session.set_time(time);
+            match value(&mut session, "lights.sun.intensity") {
+                Some(Value::Number(intensity)) => intensity,
+                other => panic!("{other:?}"),
+            }
+        };
+        assert_eq!([1, 24].map(&mut intensity), [1.0, 2.0]);
+        assert!((intensity(12) - (1.0 + 11.0 / 23.0)).abs() < 1e-9);
+        // Without keys it is the light's own.
+        let direction = value(&mut session, "lights.sun.direction");
+        assert_eq!(direction, Some(Value::Vector(vec![0.0, 0.0, 1.0])));
     }
 
     #[test]
@@ -695,18 +743,15 @@ pub(super) mod tests {
     #[test]
     fn all_that_a_shot_changes_is_keyed_and_reset_at_once() {
         let folder = tempfile::tempdir().unwrap();
-        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
-        put(
-            "shot.json",
-            r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12], "rate": 24,
-                "overrides": [{"target": "camera.height", "value": 3},
+        let shot = put_shot(
+            folder.path(),
+            r#"[{"target": "camera.height", "value": 3},
                 {"target": "objects.ball.mesh", "value": "shape:cube"},
-                {"target": "camera.fov", "keys": [{"frame": 4, "value": 0.5}]}]}"#,
+                {"target": "camera.fov", "keys": [{"frame": 4, "value": 0.5}]}]"#,
         );
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
         assert_eq!(session.key_all_in_shot().unwrap_err().code, "impossible-edit");
-        session.open(&folder.path().join("shot.json")).unwrap();
+        session.open(&shot).unwrap();
         let before = session.shot().unwrap().shot().clone();
         session.key_all_in_shot().unwrap();
         let keys: Vec<Vec<f64>> = session

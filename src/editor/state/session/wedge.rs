@@ -4,14 +4,11 @@ use chiaro_locale::tr;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::{
-    ColorSpace, Edit, LightField, SceneEdit, ShotEdit, ShotKey, Target, TimeKey, Value,
-};
-use crate::frame::Track;
+use crate::document::{ColorSpace, Edit, LightField, SceneEdit, ShotEdit, Target, Value};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::state::keying::{KeyedBy, changes_in_time, scene_edit};
 use crate::state::revision::GestureId;
-use crate::state::shot::{OpenShot, ShotAddress, ShotWriter};
+use crate::state::shot::{ShotAddress, ShotWriter};
 use crate::state::wedge::{CellScope, WedgeCell};
 
 /// Gesture of all edits of a cell: they are one step of each document.
@@ -111,11 +108,13 @@ impl Session {
         &mut self,
         addresses: impl Iterator<Item = &'a ShotAddress>,
     ) -> Result<(), Box<Diagnostic>> {
+        // The keys have just been set.
+        self.refresh_keys();
         let Some(shot) = self.shot() else { return Ok(()) };
         let mut edits = Vec::new();
         for at in addresses {
             let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
-            if let Some(value) = held_by_keys(shot, at, self.view.time) {
+            if let Some(value) = self.value_in_shot(at) {
                 writer.set_for_all(&at.target, value);
             }
             edits.extend(writer.finish());
@@ -308,14 +307,6 @@ impl Session {
         );
         Err(Box::new(Diagnostic::error("used-more-than-once", message)))
     }
-}
-
-/// The value that keys of a shot itself give at a time, in seconds; `None` without keys.
-fn held_by_keys(shot: &OpenShot, at: &ShotAddress, time: f64) -> Option<Value> {
-    let own = shot.own(at)?;
-    let keys: Vec<TimeKey> = own.keys.iter().map(ShotKey::timed).collect();
-    let track = Track { keys: &keys, ends: own.ends(), turns: false };
-    track.at(shot.rate().frame_within(time))
 }
 
 /// A value for a field of a light of a color space: a color as text is one as shown.

@@ -542,6 +542,7 @@ mod tests {
     use super::*;
     use crate::document::{Edit, Marker, SceneEdit, Shot, ShotEdit, ShotMarker};
     use crate::library::Library;
+    use crate::state::session::shot::tests::put_shot;
 
     /// Frames that are kept after a session was changed, of one that was kept before.
     fn kept_after(session: &mut Session, change: impl FnOnce(&mut Session)) -> usize {
@@ -554,9 +555,7 @@ mod tests {
     #[test]
     fn frames_stay_while_only_names_and_markers_change() {
         let folder = tempfile::tempdir().unwrap();
-        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-        put("scene.json", r#"{"chiaro": "scene", "objects": [{"id": "ball"}]}"#);
-        put("shot.json", r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 12]}"#);
+        let path = put_shot(folder.path(), "[]");
         let new = || Session::new(Arc::new(Library::built_in().clone()), || {});
         let marker = || Marker { time: 1.0, name: "hit".to_owned(), unknown: Default::default() };
 
@@ -578,7 +577,7 @@ mod tests {
         assert_eq!(kept_after(&mut scene, |it| it.apply_to_scene(backdrop, None).unwrap()), 0);
 
         let mut shot = new();
-        shot.open(&folder.path().join("shot.json")).unwrap();
+        shot.open(&path).unwrap();
         let hit = ShotMarker { frame: 6, name: "hit".to_owned(), unknown: Default::default() };
         let named = ShotEdit::Group {
             edits: vec![

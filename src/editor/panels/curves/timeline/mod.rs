@@ -23,7 +23,7 @@ use std::time::Duration;
 
 use chiaro_locale::{text, tr};
 use eframe::egui;
-use eframe::egui::{Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
+use eframe::egui::{Rect, ScrollArea, Sense, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::commands::{Command, PanelId, TimelineCommand};
 use crate::document::TimeRange;
@@ -73,6 +73,8 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
 const NAMES: f32 = 190.0;
 /// Height of the ruler, in points.
 const RULER: f32 = 24.0;
+/// Size of what catches the pointer at the head of the playhead, in points.
+const HEAD: Vec2 = vec2(14.0, 16.0);
 /// Height of a row, in points.
 const ROW: f32 = 32.0;
 /// Smallest difference between two times, in seconds.
@@ -270,12 +272,18 @@ impl Timeline {
         commands
     }
 
-    /// Handles drags on the ruler, which move the playhead, and drags of the range's ends.
+    /// Handles drags of the range's ends, and drags on the ruler, which move the playhead.
     fn scrub(&mut self, ui: &mut Ui, session: &Session, axis: Axis, out: &mut Vec<Command>) {
         let id = ui.scope_id().with("ruler");
         let response = ui.interact(axis.lane, id, Sense::click_and_drag());
         let time = session.view.time;
         response.widget_info(|| egui::WidgetInfo::slider(true, time, tr!("Playhead")));
+        self.range_ends(ui, axis);
+        // Above an end of the range, which would otherwise be dragged in its place.
+        let response = match playhead_grip(ui, id.with("playhead"), session, axis) {
+            Some(grip) => response.union(grip),
+            None => response,
+        };
         let is_part = transport::choose_part(self, ui, axis, &response);
         self.clock.is_scrubbed = response.dragged() && !is_part;
         if let Some(pointer) = response
@@ -291,6 +299,10 @@ impl Timeline {
             "Drag to scrub; with Shift choose the part that is played. The wheel zooms in time; a \
              drag with the middle button pans."
         ));
+    }
+
+    /// Shows the ends of the range as flags, and handles their drags.
+    fn range_ends(&mut self, ui: &Ui, axis: Axis) {
         let names = [tr!("Start of the range"), tr!("End of the range")];
         for (end, name) in names.into_iter().enumerate() {
             let at = pos2(axis.x(self.range[end]), axis.lane.bottom() - 5.0);
@@ -409,6 +421,18 @@ fn owners(session: &Session) -> impl Iterator<Item = OwnedKeys<'_>> {
 fn times(session: &Session) -> impl Iterator<Item = f64> {
     let tracks = owners(session).flat_map(|owned| &owned.look().time_keys);
     tracks.flat_map(|track| &track.keys).map(|key| key.time)
+}
+
+/// The head of the playhead, where it is seen or dragged.
+fn playhead_grip(ui: &Ui, id: egui::Id, session: &Session, axis: Axis) -> Option<egui::Response> {
+    let (x, lane) = (axis.x(session.view.time), axis.lane);
+    if !lane.x_range().contains(x) && !ui.ctx().is_being_dragged(id) {
+        return None;
+    }
+    let top = pos2(x.clamp(lane.left(), lane.right()), lane.top());
+    let head = Rect::from_min_max(top - vec2(HEAD.x / 2.0, 0.0), top + vec2(HEAD.x / 2.0, HEAD.y));
+    // The ruler is what the keyboard comes to.
+    Some(ui.interact(head, id, Sense::CLICK | Sense::DRAG))
 }
 
 fn playhead(ui: &Ui, session: &Session, axis: Axis, bottom: f32) {

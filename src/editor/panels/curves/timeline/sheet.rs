@@ -25,12 +25,20 @@ pub(super) struct KeyAt {
 }
 
 /// A track with the keys of it that are selected.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(super) struct PickedTrack {
     pub(super) owner: Owner,
     pub(super) index: usize,
     pub(super) track: TimeKeys,
     pub(super) keys: Vec<usize>,
+}
+
+impl PickedTrack {
+    /// True if the document has the track just so.
+    fn is_in(&self, session: &Session) -> bool {
+        let keys = self.owner.keys(session);
+        keys.is_some_and(|keys| keys.base.look.time_keys.get(self.index) == Some(&self.track))
+    }
 }
 
 /// Keys that were copied of a track.
@@ -47,6 +55,9 @@ type KeyIdentity = (Target, f64);
 
 /// Origin of the selection: number of the document, and the files of the scene and the shot.
 type SelectionPlace = (DocumentNumber, Option<PathBuf>, Option<PathBuf>);
+
+/// Greatest number of selections that an undo may bring back.
+const MOST_SELECTIONS: usize = 64;
 
 /// Drag of the selected keys by one of them.
 pub(super) struct KeyDrag {
@@ -71,6 +82,13 @@ pub(super) struct KeySheet {
     /// Identities of the selected keys, as of the last frame.
     known: HashMap<KeyAt, KeyIdentity>,
     place: Option<SelectionPlace>,
+    /// Selections before and after edits of their keys, in the order of the edits: what an undo or
+    /// a redo brings back is found by its tracks, since keys that moved have other identities.
+    edited: Vec<Vec<PickedTrack>>,
+    /// True from an edit of the selected keys until the document has it.
+    is_edited: bool,
+    /// The selection as of the last frame, once there were edits.
+    last: Vec<PickedTrack>,
     /// Tracks that are opened into curves.
     pub(super) open: HashSet<(Owner, Target)>,
     /// Values at the lower and the upper edge of opened tracks.
@@ -104,6 +122,9 @@ impl KeySheet {
             if is_new {
                 self.selected.clear();
                 self.known.clear();
+                self.edited.clear();
+                self.last.clear();
+                self.is_edited = false;
                 self.drag = None;
             }
         }
@@ -114,7 +135,48 @@ impl KeySheet {
         };
         self.active = self.active.filter(|at| self.selected.contains(at)).and_then(|at| now(&at));
         self.selected = self.selected.iter().filter_map(now).collect();
+        if std::mem::take(&mut self.is_edited) {
+            let now = self.picked(session);
+            if !self.edited.contains(&now) {
+                self.edited.push(now);
+            }
+        } else if let Some(earlier) = self.brought_back(session) {
+            let keys = |picked: &PickedTrack| {
+                let (owner, track) = (picked.owner, picked.index);
+                picked.keys.clone().into_iter().map(move |key| KeyAt { owner, track, key })
+            };
+            self.selected = earlier.iter().flat_map(keys).collect();
+            self.active = self.active.filter(|at| self.selected.contains(at));
+        }
         self.learn(session);
+    }
+
+    /// The selection that was edited, or came of an edit, and that an undo or a redo brought back
+    /// since the last frame, in place of one that came of an edit or was edited.
+    fn brought_back(&self, session: &Session) -> Option<&[PickedTrack]> {
+        let is_there = |state: &[PickedTrack]| state.iter().all(|picked| picked.is_in(session));
+        if self.last.is_empty() || is_there(&self.last) || !self.edited.contains(&self.last) {
+            return None;
+        }
+        let places = |state: &[PickedTrack]| -> Vec<(Owner, usize)> {
+            state.iter().map(|picked| (picked.owner, picked.index)).collect()
+        };
+        let of_same = |state: &&Vec<PickedTrack>| places(state) == places(&self.last);
+        let mut states = self.edited.iter().rev().filter(of_same);
+        states.find(|state| is_there(state)).map(Vec::as_slice)
+    }
+
+    /// Notes a selection whose keys are edited.
+    fn note_edited(&mut self, picked: Vec<PickedTrack>) {
+        match self.edited.iter().position(|state| *state == picked) {
+            // What came of it before is not to be redone any more, or is a drag that goes on.
+            Some(at) => self.edited.truncate(at + 1),
+            None => self.edited.push(picked),
+        }
+        if self.edited.len() > MOST_SELECTIONS {
+            self.edited.remove(0);
+        }
+        self.is_edited = true;
     }
 
     /// Learns the identities of keys that were selected in this frame; to be called before edits of
@@ -127,6 +189,9 @@ impl KeySheet {
             {
                 self.known.insert(*at, identity);
             }
+        }
+        if !self.edited.is_empty() && !self.is_edited {
+            self.last = self.picked(session);
         }
     }
 
@@ -217,6 +282,11 @@ impl KeySheet {
         widget: Option<Id>,
         out: &mut Vec<Command>,
     ) {
+        let before: Vec<PickedTrack> = edited.iter().map(|(picked, _)| picked.clone()).collect();
+        // Copies are pasted beside keys that may not be selected.
+        if before.iter().all(|picked| !picked.keys.is_empty()) {
+            self.note_edited(before);
+        }
         let mut edits: BTreeMap<Owner, Vec<Edit>> = BTreeMap::new();
         for (picked, (keys, selected)) in edited {
             self.select(&picked, &keys, &selected);
@@ -637,6 +707,35 @@ mod tests {
         let mut commands = Vec::new();
         sheet.delete(&session, &mut commands);
         assert!(commands.is_empty(), "{commands:?}");
+    }
+
+    #[test]
+    fn an_undo_selects_the_keys_that_it_moves_back() {
+        let mut session = opened();
+        let mut sheet = pressed(&session, 1);
+        sheet.press(KeyAt { owner: Owner::Look, track: 0, key: 2 }, Modifiers::SHIFT, false);
+        sheet.learn(&session);
+        // Twice as slow: the first key comes to where the second was.
+        let (held, mut commands) = (sheet.picked(&session), Vec::new());
+        sheet.retime(&session, held, (2.0, &|time| 2.0 * time), None, &mut commands);
+        sheet.learn(&session);
+        set(&mut session, &[0.0, 2.0, 4.0]);
+        let mut seen = |session: &Session| {
+            sheet.begin_frame(session);
+            sheet.learn(session);
+            times(&sheet, session)
+        };
+        assert_eq!(seen(&session), [2.0, 4.0]);
+        session.undo();
+        assert_eq!(seen(&session), [1.0, 2.0]);
+        session.redo();
+        assert_eq!(seen(&session), [2.0, 4.0]);
+        // Who selected other keys since keeps them.
+        sheet.press(KeyAt { owner: Owner::Look, track: 0, key: 0 }, Modifiers::NONE, false);
+        sheet.learn(&session);
+        session.undo();
+        sheet.begin_frame(&session);
+        assert_eq!(times(&sheet, &session), [0.0]);
     }
 
     #[test]
