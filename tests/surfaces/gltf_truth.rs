@@ -21,19 +21,19 @@ struct GltfFile {
     buffers: Vec<Vec<u8>>,
 }
 
-/// Elements of an accessor.
-struct Elements {
+/// AccessorElements of an accessor.
+struct AccessorElements {
     /// Count of numbers in an element.
     width: usize,
     numbers: Vec<f64>,
 }
 
-impl Elements {
+impl AccessorElements {
     fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.numbers.chunks_exact(self.width)
     }
 
-    /// Elements as vectors of three numbers.
+    /// AccessorElements as vectors of three numbers.
     fn vectors(&self) -> Vec<DVec3> {
         self.rows().map(DVec3::from_slice).collect()
     }
@@ -133,7 +133,7 @@ impl GltfFile {
 
     /// The elements of an accessor: those of its view, or zeros, and in their places those that a
     /// sparse accessor tells.
-    fn elements(&self, index: usize) -> Result<Elements, String> {
+    fn elements(&self, index: usize) -> Result<AccessorElements, String> {
         let accessor = &self.json["accessors"][index];
         let width = match accessor["type"].as_str() {
             Some("SCALAR") => 1,
@@ -175,18 +175,18 @@ impl GltfFile {
                 own.ok_or("a sparse accessor names an element beyond it")?.copy_from_slice(row);
             }
         }
-        Ok(Elements { width, numbers })
+        Ok(AccessorElements { width, numbers })
     }
 
     /// The elements of an accessor that may be missing.
-    fn named(&self, index: &Value) -> Result<Option<Elements>, String> {
+    fn named(&self, index: &Value) -> Result<Option<AccessorElements>, String> {
         whole(index).map(|index| self.elements(index)).transpose()
     }
 }
 
 /// Property of a node that a curve moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum NodePath {
+enum MovedProperty {
     Translation,
     Rotation,
     Scale,
@@ -196,7 +196,7 @@ enum NodePath {
 /// Curve of one property of a node.
 struct CurveTruth {
     node: usize,
-    path: NodePath,
+    path: MovedProperty,
     interpolation: String,
     times: Vec<f64>,
     values: Vec<f64>,
@@ -248,7 +248,7 @@ impl CurveTruth {
                 };
                 parts.map(point).collect()
             }
-            _ if self.path == NodePath::Rotation => {
+            _ if self.path == MovedProperty::Rotation => {
                 let [a, b] = [before, before + 1].map(|key| DVec4::from_slice(&own(key)));
                 slerp(a, b, t).to_array().to_vec()
             }
@@ -478,10 +478,10 @@ impl GltfTruth {
             let value = curve.value(time);
             let node = &mut nodes[curve.node];
             match curve.path {
-                NodePath::Translation => node.translation = DVec3::from_slice(&value),
-                NodePath::Rotation => node.rotation = DVec4::from_slice(&value),
-                NodePath::Scale => node.scale = DVec3::from_slice(&value),
-                NodePath::Weights => node.weights = value,
+                MovedProperty::Translation => node.translation = DVec3::from_slice(&value),
+                MovedProperty::Rotation => node.rotation = DVec4::from_slice(&value),
+                MovedProperty::Scale => node.scale = DVec3::from_slice(&value),
+                MovedProperty::Weights => node.weights = value,
             }
         }
         nodes
@@ -534,8 +534,12 @@ impl PrimitiveTruth {
             matrices.iter().fold(DMat4::ZERO, |sum, (matrix, weight)| sum + *matrix * *weight);
         let linear = DMat3::from_mat4(matrix);
         let place = changed(0, self.positions[point]);
+        let changes = self.targets.iter().zip(weights).map(|(target, weight)| {
+            weight.abs() * target[0].as_ref().map_or(0.0, |rows| rows[point].length())
+        });
+        let far = self.positions[point].length() + changes.sum::<f64>();
         let reach = |(matrix, weight): &(DMat4, f64)| {
-            let moved = size(DMat3::from_mat4(*matrix)) * place.length();
+            let moved = size(DMat3::from_mat4(*matrix)) * far;
             weight * (moved + matrix.w_axis.truncate().length())
         };
         let determinant = linear.determinant();
@@ -623,10 +627,10 @@ fn animations(file: &GltfFile) -> Result<Vec<AnimationTruth>, String> {
         for channel in members(&animation["channels"]) {
             let target = &channel["target"];
             let path = match target["path"].as_str() {
-                Some("translation") => NodePath::Translation,
-                Some("rotation") => NodePath::Rotation,
-                Some("scale") => NodePath::Scale,
-                Some("weights") => NodePath::Weights,
+                Some("translation") => MovedProperty::Translation,
+                Some("rotation") => MovedProperty::Rotation,
+                Some("scale") => MovedProperty::Scale,
+                Some("weights") => MovedProperty::Weights,
                 _ => continue,
             };
             let Some(node) = whole(&target["node"]) else { continue };

@@ -32,9 +32,9 @@ const LEAST: f64 = 1e-3;
 /// Number of times of each animation.
 const TIMES: usize = 8;
 
-/// Result of a comparison.
+/// Counts of what was compared, and how far the worst place is off.
 #[derive(Debug, Default)]
-pub(crate) struct Comparison {
+pub(crate) struct ComparedCounts {
     pub(crate) animations: usize,
     pub(crate) poses: usize,
     pub(crate) triangles: usize,
@@ -46,7 +46,7 @@ pub(crate) struct Comparison {
     worst: f64,
 }
 
-impl fmt::Display for Comparison {
+impl fmt::Display for ComparedCounts {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { animations, poses, triangles, left_out, vectors, worst } = self;
         let [normals, tangents, made_normals, made_tangents] = vectors;
@@ -73,14 +73,14 @@ fn tangent_at(mesh: &Mesh, vertex: usize) -> DVec3 {
 }
 
 /// The mesh of a file, compared with the truth.
-struct Compared<'a> {
+struct MeshComparison<'a> {
     truth: &'a GltfTruth,
     rest: &'a Mesh,
     /// Primitive and point of each corner of the mesh's triangles.
     corners: Vec<(usize, usize)>,
     /// True for vertices whose normals were made, and for those whose tangents were.
     has_made: Vec<[bool; 2]>,
-    told: Comparison,
+    told: ComparedCounts,
 }
 
 /// Triangle of the truth: the number of its primitive, and its points.
@@ -89,7 +89,7 @@ type TrueTriangle = (usize, [usize; 3]);
 /// The orders of a triangle's corners: three ways round, then three of the other way.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0, 2, 1], [2, 1, 0]];
 
-impl<'a> Compared<'a> {
+impl<'a> MeshComparison<'a> {
     /// Finds the mesh's triangles in the file.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ impl<'a> Compared<'a> {
             rest,
             corners: Vec::with_capacity(rest.indices.len()),
             has_made: vec![[false; 2]; rest.positions.len()],
-            told: Comparison { triangles: rest.triangle_count(), ..Comparison::default() },
+            told: ComparedCounts { triangles: rest.triangle_count(), ..ComparedCounts::default() },
         };
         for part in &rest.parts {
             let triangles = &rest.indices[part.indices.start as usize..part.indices.end as usize];
@@ -206,12 +206,16 @@ impl<'a> Compared<'a> {
             };
             let distance = at(mesh.positions[vertex]).distance(truth.place);
             let share = distance / truth.reach.max(f64::MIN_POSITIVE);
-            if !(share <= off || distance == 0.0) {
+            let is_near = share <= off || distance == 0.0;
+            if !is_near {
                 let found = mesh.positions[vertex];
                 return Err(told("the place", format!("{found:?} is not {}", truth.place)));
             }
             self.told.worst = self.told.worst.max(share);
-            self.vectors(mesh, vertex, &truth).map_err(|found| told("a vector", found))?;
+            let vectors = self.vectors(mesh, vertex, &truth);
+            let [normals, tangents] = vectors.map_err(|found| told("a vector", found))?;
+            self.told.vectors[0] += normals;
+            self.told.vectors[1] += tangents;
         }
         if animation.is_some() {
             self.made_normals(mesh)?;
@@ -220,37 +224,44 @@ impl<'a> Compared<'a> {
         Ok(())
     }
 
-    /// Compares the normal and the tangent that the file has for a vertex. How far they may be off
-    /// grows as the vertex's matrix flattens.
-    fn vectors(&mut self, mesh: &Mesh, vertex: usize, truth: &PointTruth) -> Result<(), String> {
+    /// Compares the normal and the tangent that the file has for a vertex, and counts them. How far
+    /// they may be off grows as the vertex's matrix flattens.
+    fn vectors(
+        &self,
+        mesh: &Mesh,
+        vertex: usize,
+        truth: &PointTruth,
+    ) -> Result<[usize; 2], String> {
         let normal = at(mesh.normals[vertex]);
         let tangent = tangent_at(mesh, vertex);
         let side = f64::from(mesh.tangents[vertex][3]);
         let lengths = [normal.length() - 1.0, tangent.length() - 1.0, normal.dot(tangent)];
-        if !(lengths.iter().all(|off| off.abs() < TURNED) && side.abs() == 1.0) {
+        let is_frame = lengths.iter().all(|off| off.abs() < TURNED) && side.abs() == 1.0;
+        if !is_frame {
             return Err(format!("normal {normal} and tangent {tangent}, {side} are no frame"));
         }
+        let mut counts = [0; 2];
         if truth.roundness < LEAST {
-            return Ok(());
+            return Ok(counts);
         }
         let off = TURNED / truth.roundness.min(1.0);
         let [is_made, _] = self.has_made[vertex];
         if let Some(expected) = truth.normal.filter(|_| !is_made) {
-            self.told.vectors[0] += 1;
+            counts[0] = 1;
             if normal.distance(expected) > off {
                 return Err(format!("normal {normal} is not {expected}"));
             }
         }
-        let Some(expected) = truth.tangent else { return Ok(()) };
+        let Some(expected) = truth.tangent else { return Ok(counts) };
         let upright = expected.truncate().reject_from(normal);
         if upright.length() > 0.1 {
-            self.told.vectors[1] += 1;
+            counts[1] = 1;
             let mirrored = if truth.is_mirrored { -1.0 } else { 1.0 };
             if tangent.distance(upright.normalize()) > 10.0 * off || side != mirrored * expected.w {
                 return Err(format!("tangent {tangent}, {side} is not {expected}"));
             }
         }
-        Ok(())
+        Ok(counts)
     }
 
     /// Corners of the vertices that share a made vector: those of equal keys at rest.
@@ -399,10 +410,10 @@ fn compare_cameras(
 ///
 /// # Errors
 /// The first difference.
-pub(crate) fn compare(mesh: &Mesh, truth: &GltfTruth) -> Result<Comparison, String> {
+pub(crate) fn compare(mesh: &Mesh, truth: &GltfTruth) -> Result<ComparedCounts, String> {
     let animations = truth.animations();
     let off = if animations.is_empty() { OFF_STILL } else { OFF };
-    let mut compared = Compared::new(mesh, truth, off)?;
+    let mut compared = MeshComparison::new(mesh, truth, off)?;
     compared.compare(mesh, None, off)?;
     let Some(motion) = &mesh.motion else {
         return match animations.is_empty() {
@@ -434,8 +445,8 @@ pub(crate) fn compare(mesh: &Mesh, truth: &GltfTruth) -> Result<Comparison, Stri
 }
 
 /// What became of an asset.
-enum Verdict {
-    Equal(Comparison),
+enum AssetVerdict {
+    Equal(ComparedCounts),
     /// Errors with which the file was refused.
     Refused(Vec<Diagnostic>),
     /// Parts that were read by neither reader, or by one only.
@@ -448,7 +459,7 @@ fn is_left_out(warning: &Diagnostic) -> bool {
 }
 
 /// Reads an asset, and compares it.
-fn verdict(path: &Path) -> Result<Verdict, String> {
+fn verdict(path: &Path) -> Result<AssetVerdict, String> {
     let WithWarnings { value: mesh, warnings } = match load(&Disk, path) {
         Ok(read) => read,
         Err(problems) => {
@@ -456,22 +467,22 @@ fn verdict(path: &Path) -> Result<Verdict, String> {
                 |problem: &Diagnostic| !problem.message.is_empty() && problem.place.file.is_some();
             let is_told = problems.iter().any(Diagnostic::is_error);
             return match is_told && problems.iter().all(is_clear) {
-                true => Ok(Verdict::Refused(problems)),
+                true => Ok(AssetVerdict::Refused(problems)),
                 false => Err(format!("it is refused, but not told why: {problems:?}")),
             };
         }
     };
     if let Some(warning) = warnings.iter().find(|warning| is_left_out(warning)) {
-        return Ok(Verdict::InPart(warning.message.clone()));
+        return Ok(AssetVerdict::InPart(warning.message.clone()));
     }
     let folder = path.parent().unwrap_or(Path::new(""));
     let sibling = |name: &str| std::fs::read(folder.join(name)).map_err(|why| why.to_string());
     let bytes = std::fs::read(path).map_err(|why| why.to_string())?;
     let truth = GltfTruth::read(&bytes, &sibling)?;
     if truth.has_copies {
-        return Ok(Verdict::InPart("copies of meshes are not computed anew".to_owned()));
+        return Ok(AssetVerdict::InPart("copies of meshes are not computed anew".to_owned()));
     }
-    compare(&mesh, &truth).map(Verdict::Equal)
+    compare(&mesh, &truth).map(AssetVerdict::Equal)
 }
 
 /// All sample assets of a folder. Each is equal to the specification, or refused with a reason.
@@ -493,14 +504,14 @@ fn soak_khr_assets_move_as_their_specification_says() {
         // A panic is told with the name of its file, and the others are looked at all the same.
         let found = std::panic::catch_unwind(|| verdict(path));
         match found.unwrap_or_else(|_| Err("it panicked".to_owned())) {
-            Ok(Verdict::Equal(told)) => {
+            Ok(AssetVerdict::Equal(told)) => {
                 moved += told.animations;
                 say(&format!("{name}: {told}"));
             }
-            Ok(Verdict::Refused(problems)) => {
+            Ok(AssetVerdict::Refused(problems)) => {
                 problems.iter().for_each(|problem| say(&format!("{name}: REFUSED, {problem}")));
             }
-            Ok(Verdict::InPart(why)) => say(&format!("{name}: NOT COMPARED, {why}")),
+            Ok(AssetVerdict::InPart(why)) => say(&format!("{name}: NOT COMPARED, {why}")),
             Err(why) => {
                 say(&format!("{name}: WRONG, {why}"));
                 wrong.push(format!("{name}: {why}"));
