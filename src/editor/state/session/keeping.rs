@@ -10,6 +10,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::frame::{SHAPE_PREFIX, UNSAVED_HCBTF};
+use crate::state::arrangement;
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
 use crate::state::paths::absolute;
@@ -154,6 +155,8 @@ impl Session {
         }
         self.replace(found.history.document().clone(), source, path);
         self.look.history = found.history;
+        // Work that an older program kept may have no places.
+        self.place_nodes();
         self.take_back_shelf(&found.about.window);
         self.recall_times();
         self.look.is_partial = found.about.is_partial;
@@ -183,7 +186,8 @@ impl Session {
         self.revisions.problems.advance();
         let has_errors = loaded.has_errors();
         self.look.load_problems = loaded.diagnostics;
-        let Some(look) = loaded.value.filter(|_| !has_errors) else { return false };
+        let Some(mut look) = loaded.value.filter(|_| !has_errors) else { return false };
+        arrangement::place_nodes(&mut look, &self.project.library);
         if look.to_text() != self.look().to_text()
             && let Err(problem) = self.apply(Edit::Replace { look: Box::new(look) }, None)
         {

@@ -32,6 +32,7 @@ use crate::files::{Disk, SharedFiles, write_atomic};
 use crate::frame::AssetStore;
 use crate::ids::{LightId, NodeId};
 use crate::library::Library;
+use crate::state::arrangement;
 use crate::state::compiling::{self};
 use crate::state::crashes::CrashLog;
 use crate::state::display::PictureDisplay;
@@ -240,7 +241,7 @@ impl Session {
         Ok(())
     }
 
-    fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
+    fn replace(&mut self, mut look: Look, source: SourceMap, path: Option<PathBuf>) {
         self.revisions.document.advance();
         self.set_preview(None);
         self.sketchbook.put_aside(&self.look);
@@ -250,6 +251,7 @@ impl Session {
         self.look.file = TextFile::new(source);
         self.look.path = path;
         self.look_was_opened(&look);
+        arrangement::place_nodes(&mut look, &self.project.library);
         self.look.history = History::new(look);
         self.sketchbook.find(&self.look);
         self.open_shelf();
@@ -488,10 +490,13 @@ impl Session {
     /// once.
     pub(super) fn apply_at(
         &mut self,
-        edit: Edit,
+        mut edit: Edit,
         gesture: Option<GestureId>,
         time: StepTime,
     ) -> Result<(), Box<Diagnostic>> {
+        if let Edit::Replace { look } = &mut edit {
+            arrangement::place_nodes(look, &self.project.library);
+        }
         if self.shot().is_some() {
             return self.apply_look_to_shot(edit, gesture);
         }
