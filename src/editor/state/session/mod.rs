@@ -25,6 +25,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chiaro_locale::{Text, text, tr};
+use glam::DQuat;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, DocumentRevision, Edit, Graph, History, Look, SourceMap};
@@ -187,9 +188,15 @@ impl Session {
         let diagnostics = loaded.diagnostics;
         let Some(look) = loaded.value else { return Err(diagnostics) };
         self.leave_journal(false);
+        let view = self.open_scene.is_none().then(|| self.view.orbit.clone());
         self.leave_scene_unless_worn(Some(path));
         self.use_project(path);
         self.replace(look, loaded.source, Some(path.to_owned()));
+        // The same picture goes on with another look on the mesh: camera and backdrop are the
+        // window's. The lights are as the look was made for.
+        if let Some(view) = view {
+            self.view.orbit = Orbit { illumination: DQuat::IDENTITY, ..view };
+        }
         self.look.is_partial = is_partial;
         self.look.load_problems = diagnostics;
         self.revisions.problems.advance();
@@ -629,3 +636,45 @@ const NEW_LOOK: &str = r##"{
     {"from": "diffuse", "to": "output.color"}
   ]
 }"##;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Projection;
+
+    #[test]
+    fn the_windows_view_goes_on_with_another_look() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            path
+        };
+        let [one, other] = ["one.json", "other.json"].map(|name| file(name, NEW_LOOK));
+        let scene = file(
+            "scene.json",
+            r#"{"chiaro": "scene", "objects": [
+                {"id": "ball", "mesh": "shape:sphere", "looks": "one.json"}],
+                "camera": {"eye": [5, 0, 0]}}"#,
+        );
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&one).unwrap();
+        let orbit = &mut session.view.orbit;
+        orbit.yaw += std::f64::consts::PI;
+        orbit.projection = Projection::Orthographic;
+        orbit.backdrop = Some([1.0, 0.0, 0.0, 1.0]);
+        orbit.illumination = DQuat::from_rotation_y(0.5);
+        let turned = orbit.clone();
+        session.open(&other).unwrap();
+        let kept = Orbit { illumination: DQuat::IDENTITY, ..turned };
+        assert_eq!(session.view.orbit, kept, "the lights are as the look was made for");
+
+        // Another picture has another view.
+        session.open(&scene).unwrap();
+        session.open(&one).unwrap();
+        assert!(session.open_scene().is_some());
+        session.open(&other).unwrap();
+        assert!(session.open_scene().is_none());
+        assert_eq!((session.view.orbit.yaw, session.view.orbit.backdrop), (0.0, None));
+    }
+}
