@@ -18,9 +18,11 @@ use crate::panels::curves::timeline::Timeline;
 use crate::panels::library;
 use crate::state::crashes::CrashMark;
 use crate::state::painting::work::OpenPainting;
+use crate::state::parts::pictures::MovedPictures;
 use crate::state::problem_text::sentence;
 use crate::state::scene::{LookToOpen, OpenScene, real};
 use crate::state::session::painting::is_painting_shown;
+use crate::state::session::saving::OwnFiles;
 use crate::state::shelf::SnapshotId;
 use crate::state::wedge::WedgeSheet;
 use crate::widgets::confirm;
@@ -166,8 +168,15 @@ impl App {
 
     /// Saves to a file, and reports a failure. Returns true if the file is written.
     pub fn save_as(&mut self, path: &Path) -> bool {
-        let saved = self.session.save_named(path);
-        let is_saved = self.tell_saved(path, saved);
+        self.save_with(path, OwnFiles::Linked)
+    }
+
+    /// Saves to a file, and tells what became of the files that the look names, or why nothing is
+    /// written. Returns true if the file is written.
+    pub(super) fn save_with(&mut self, path: &Path, own: OwnFiles) -> bool {
+        let saved = self.session.save_named(path, own);
+        let told = saved.as_ref().map(MovedPictures::told).unwrap_or_default();
+        let is_saved = self.tell_saved(path, saved.map(drop));
         let orbit = &self.session.view.orbit;
         let is_turned = orbit.illumination.angle_between(DQuat::IDENTITY) > TURNED;
         let is_own = !orbit.mesh.starts_with(SHAPE_PREFIX) || is_turned;
@@ -177,6 +186,9 @@ impl App {
                  which the panel Objects saves",
                 file = path.display()
             ));
+        }
+        if let Some(message) = self.message.as_mut().filter(|_| is_saved) {
+            told.iter().for_each(|told| *message += &format!(" · {told}"));
         }
         is_saved
     }

@@ -83,6 +83,7 @@ impl PathField {
                 PathEffect::Good | PathEffect::Folder => "",
             };
             ui.label(RichText::new(reason).color(theme::of(ui).warning));
+            self.files_along(ui);
             ui.horizontal(|ui| {
                 let label = match (&verdict, self.purpose.writes()) {
                     _ if self.purpose.is_folder() => tr!("Export here"),
@@ -109,6 +110,22 @@ impl PathField {
             answer = Some(None);
         }
         answer
+    }
+
+    /// Shows the choice whether the files of a look go along into another folder.
+    fn files_along(&mut self, ui: &mut Ui) {
+        let [without, with] = [FilePurpose::Save, FilePurpose::SaveWithFiles];
+        if ![without, with].contains(&self.purpose) {
+            return;
+        }
+        let mut is_along = self.purpose == with;
+        let help = tr!(
+            "In another folder: images and painted surfaces that lie with the look are copied \
+             beside it; all others are used where they are"
+        );
+        if ui.checkbox(&mut is_along, tr!("Copy its files along")).on_hover_text(help).changed() {
+            self.purpose = if is_along { with } else { without };
+        }
     }
 
     /// Shows the text field. Returns true if Enter was pressed in it.
@@ -189,6 +206,7 @@ fn title(purpose: FilePurpose) -> &'static str {
             tr!("Open a look, a scene, a shot, a painted surface or a sheet of a wedge")
         }
         FilePurpose::Save => tr!("Save the look"),
+        FilePurpose::SaveWithFiles => tr!("Save the look and its files"),
         FilePurpose::SaveScene => tr!("Save the scene"),
         FilePurpose::SaveShot => tr!("Save the shot"),
         FilePurpose::SavePainting => tr!("Save the painting"),

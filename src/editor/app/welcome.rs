@@ -18,6 +18,7 @@ use crate::panels::start::{self, Start};
 use crate::state::comparison::ComparedPicture;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
+use crate::state::session::saving::OwnFiles;
 use crate::widgets::theme;
 
 /// State of the session when the start page came: the page leaves with the first change.
@@ -148,7 +149,8 @@ impl App {
         }
         let command = |(purpose, path)| match purpose {
             FilePurpose::Open => Command::Open(Some(path)),
-            FilePurpose::Save => Command::SaveTo(path),
+            FilePurpose::Save => Command::SaveTo(path, OwnFiles::Linked),
+            FilePurpose::SaveWithFiles => Command::SaveTo(path, OwnFiles::Copied),
             FilePurpose::Mesh => Command::ShowOn(Some(path)),
             FilePurpose::AddMesh
             | FilePurpose::ObjectMesh

@@ -14,6 +14,8 @@ use crate::photometry::LAMP_FILE;
 pub(crate) enum FilePurpose {
     Open,
     Save,
+    /// A file for the look, beside copies of the files that lie with the look.
+    SaveWithFiles,
     Mesh,
     /// A mesh for one more object.
     AddMesh,
@@ -73,7 +75,7 @@ impl FilePurpose {
                 tr!("Look, scene, shot, painted surface, sheet of a wedge, or graph to import"),
                 &["json", PAINTING, "mtlx", "png"],
             ),
-            Self::Save | Self::ObjectLook => (tr!("Chiaro look"), &["json"]),
+            Self::Save | Self::SaveWithFiles | Self::ObjectLook => (tr!("Chiaro look"), &["json"]),
             Self::SaveScene => (tr!("Chiaro scene"), &["json"]),
             Self::SaveShot => (tr!("Chiaro shot"), &["json"]),
             Self::SavePainting | Self::BakeLook => (tr!("Painted surface"), &[PAINTING]),
@@ -106,6 +108,7 @@ impl FilePurpose {
             && matches!(
                 self,
                 Self::Save
+                    | Self::SaveWithFiles
                     | Self::SaveScene
                     | Self::SaveShot
                     | Self::SavePainting

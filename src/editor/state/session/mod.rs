@@ -9,6 +9,7 @@ mod nodes;
 pub(crate) mod painting;
 mod parts;
 mod project;
+pub(crate) mod saving;
 mod scene;
 mod shading;
 mod sharing;
@@ -29,7 +30,7 @@ use glam::DQuat;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, DocumentRevision, Edit, Graph, History, Look, SourceMap};
-use crate::files::{Disk, SharedFiles, write_atomic};
+use crate::files::{Disk, SharedFiles};
 use crate::frame::AssetStore;
 use crate::ids::{LightId, NodeId};
 use crate::library::Library;
@@ -41,7 +42,6 @@ use crate::state::document::{OpenDocument, TextFile};
 use crate::state::keying::{KeyEvaluation, KeyPlace, KeyedLook, Owner};
 use crate::state::masks::MaskSteps;
 use crate::state::orbit::Orbit;
-use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
 use crate::state::pictures::OwnPictures;
 use crate::state::reading::LookWithLibrary;
@@ -200,51 +200,6 @@ impl Session {
         self.look.is_partial = is_partial;
         self.look.load_problems = diagnostics;
         self.revisions.problems.advance();
-        Ok(())
-    }
-
-    /// Saves to a file, which is the look's own from then on.
-    ///
-    /// # Errors
-    /// A diagnostic with the reason; the old file is then unchanged.
-    pub fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
-        if self.shot().is_some() {
-            // The look of the window is what the shot makes of its file.
-            return self.save_shot_as(path);
-        }
-        let is_own = self.look.check_saving(path)?;
-        let names = if is_own { None } else { self.names_of_painting(path) };
-        let text = if is_own {
-            self.look.text_of(self.look())
-        } else {
-            let named = names
-                .as_ref()
-                .and_then(|(from, to)| look::renamed(self.look(), &self.project.catalog, from, to));
-            named.as_ref().unwrap_or(self.look()).to_text()
-        };
-        write_atomic(path, text.as_bytes())?;
-        self.look.text_was_written(path, &text);
-        if let Some((from, to)) = names {
-            self.rename_painting(&from, &to);
-        }
-        self.look.history.mark_saved();
-        self.pictures.settle();
-        if !is_own {
-            // The masks are the old file's, too: what undo wrote there would change that look.
-            self.masks = MaskSteps::default();
-        }
-        self.revisions.problems.advance();
-        if !is_own && self.open_scene.is_some() {
-            // While the scene still knows the look by its old name.
-            self.wear_saved(path);
-        }
-        if !is_own {
-            // Another folder is another project, with nodes of its own.
-            self.reload_library();
-        }
-        // Under another name the look takes its snapshots along.
-        self.shelf.write_beside(path);
-        self.saved();
         Ok(())
     }
 
