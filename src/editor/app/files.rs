@@ -365,6 +365,7 @@ impl App {
                 let text = examples::text(&example.path).unwrap_or_default();
                 self.session.start_from(&text, example.stem);
             }
+            library::ExampleContent::Shot(_) => self.open(&example.path),
         }
     }
 

@@ -287,7 +287,9 @@ impl App {
             return;
         }
         let path = open_scene.path_of(name);
-        if examples::file(&path).is_some() {
+        // Under a shot a look stays as it is: the shot has what is changed.
+        let is_example = examples::file(&path).is_some();
+        if is_example && self.session.shot().is_none() {
             let text = tr!(
                 "This object wears an example: open that from the start page to change it, or \
                  choose another look"
@@ -295,7 +297,7 @@ impl App {
             self.message = Some(text.to_owned());
             return;
         }
-        if name == OPEN_LOOK || !path.is_file() {
+        if name == OPEN_LOOK || !is_example && !path.is_file() {
             self.message = Some(tr!(
                 "There is no look {file}: choose another for the object",
                 file = path.display()

@@ -35,6 +35,9 @@ pub(crate) fn real(path: &Path) -> PathBuf {
 }
 
 fn absolute(path: &Path) -> PathBuf {
+    if let Some(example) = examples::canonical(path) {
+        return example;
+    }
     clean(&crate::state::paths::absolute(path))
 }
 
@@ -59,6 +62,9 @@ impl OpenScene {
     /// The file that a name of the scene means.
     pub(crate) fn path_of(&self, name: &str) -> PathBuf {
         let path = self.base.join(name);
+        if let Some(example) = examples::canonical(&path) {
+            return example;
+        }
         let cleaned = clean(&path);
         // A link to a folder makes `..` lead elsewhere than it reads.
         if real(&cleaned) == real(&path) { cleaned } else { path }

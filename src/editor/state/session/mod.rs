@@ -30,6 +30,7 @@ use glam::DQuat;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, DocumentRevision, Edit, Graph, History, Look, SourceMap};
+use crate::examples;
 use crate::files::{Disk, SharedFiles};
 use crate::frame::AssetStore;
 use crate::ids::{LightId, NodeId};
@@ -191,7 +192,9 @@ impl Session {
         let view = self.open_scene.is_none().then(|| self.view.orbit.clone());
         self.leave_scene_unless_worn(Some(path));
         self.use_project(path);
-        self.replace(look, loaded.source, Some(path.to_owned()));
+        // An example alone is the beginning of a look that no file holds yet.
+        let is_example = self.open_scene.is_none() && examples::file(path).is_some();
+        self.replace(look, loaded.source, (!is_example).then(|| path.to_owned()));
         // The same picture goes on with another look on the mesh: camera and backdrop are the
         // window's. The lights are as the look was made for.
         if let Some(view) = view {

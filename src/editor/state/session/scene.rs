@@ -129,6 +129,8 @@ impl Session {
     pub(crate) fn leave_scene(&mut self, in_peace: bool) {
         if let Some(mut open_scene) = self.open_scene.take() {
             open_scene.leave_journal(in_peace);
+            // Without a shot over it an example is the beginning of a look that no file holds yet.
+            self.look.path = self.look.path.take().filter(|path| examples::file(path).is_none());
             self.keep_solo();
             self.revisions.picture.advance();
             self.revisions.problems.advance();
