@@ -218,7 +218,7 @@ pub(crate) fn change_path(value: &mut Value, change: &mut dyn FnMut(&mut String)
     let is_inside = path.is_empty()
         || path.contains("example:")
         || path.starts_with("mesh:")
-        || path == UNSAVED_HCBTF;
+        || *path == UNSAVED_HCBTF;
     if !is_inside {
         change(path);
     }

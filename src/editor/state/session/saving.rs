@@ -107,7 +107,7 @@ impl Session {
                 .and_then(|(from, to)| look::renamed(look, &self.project.catalog, from, to));
             named.as_ref().unwrap_or(look).to_text()
         };
-        let copies = moved.as_ref().map_or(&[][..], |moved| &moved.files.copied);
+        let copies = moved.as_ref().map_or(&[][..], |moved| moved.files.copied.as_slice());
         write_with(path, &text, copies)?;
         self.look.text_was_written(path, &text);
         if let Some(moved) = &moved {
