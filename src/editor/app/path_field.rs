@@ -112,16 +112,21 @@ impl PathField {
         answer
     }
 
-    /// Shows the choice whether the files of a look go along into another folder.
+    /// Shows the choice whether the files of a look or a scene go along into another folder.
     fn files_along(&mut self, ui: &mut Ui) {
-        let [without, with] = [FilePurpose::Save, FilePurpose::SaveWithFiles];
-        if ![without, with].contains(&self.purpose) {
-            return;
-        }
+        let [without, with] = match self.purpose {
+            FilePurpose::Save | FilePurpose::SaveWithFiles => {
+                [FilePurpose::Save, FilePurpose::SaveWithFiles]
+            }
+            FilePurpose::SaveScene | FilePurpose::SaveSceneWithFiles => {
+                [FilePurpose::SaveScene, FilePurpose::SaveSceneWithFiles]
+            }
+            _ => return,
+        };
         let mut is_along = self.purpose == with;
         let help = tr!(
-            "In another folder: images and painted surfaces that lie with the look are copied \
-             beside it; all others are used where they are"
+            "In another folder: files that lie with the document are copied with it; all others \
+             are used where they are"
         );
         if ui.checkbox(&mut is_along, tr!("Copy its files along")).on_hover_text(help).changed() {
             self.purpose = if is_along { with } else { without };
@@ -208,6 +213,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Save => tr!("Save the look"),
         FilePurpose::SaveWithFiles => tr!("Save the look and its files"),
         FilePurpose::SaveScene => tr!("Save the scene"),
+        FilePurpose::SaveSceneWithFiles => tr!("Save the scene and its files"),
         FilePurpose::SaveShot => tr!("Save the shot"),
         FilePurpose::SavePainting => tr!("Save the painting"),
         FilePurpose::BakeLook => tr!("Bake the look onto a tile"),

@@ -156,6 +156,7 @@ impl App {
             | FilePurpose::ObjectMesh
             | FilePurpose::ObjectLook
             | FilePurpose::SaveScene
+            | FilePurpose::SaveSceneWithFiles
             | FilePurpose::SaveShot => Command::Scene(SceneCommand::Chosen(purpose, path)),
             FilePurpose::SavePainting => Command::Paint(PaintCommand::SaveTo(path)),
             FilePurpose::ImportPainting(import) => {

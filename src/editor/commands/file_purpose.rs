@@ -24,6 +24,8 @@ pub(crate) enum FilePurpose {
     /// A look for the object that the question is about.
     ObjectLook,
     SaveScene,
+    /// A file for the scene, beside copies of the files that lie with the scene.
+    SaveSceneWithFiles,
     SaveShot,
     SavePainting,
     /// Pictures of other programs, or a folder of them.
@@ -76,7 +78,7 @@ impl FilePurpose {
                 &["json", PAINTING, "mtlx", "png"],
             ),
             Self::Save | Self::SaveWithFiles | Self::ObjectLook => (tr!("Chiaro look"), &["json"]),
-            Self::SaveScene => (tr!("Chiaro scene"), &["json"]),
+            Self::SaveScene | Self::SaveSceneWithFiles => (tr!("Chiaro scene"), &["json"]),
             Self::SaveShot => (tr!("Chiaro shot"), &["json"]),
             Self::SavePainting | Self::BakeLook => (tr!("Painted surface"), &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => (tr!("Mesh"), &MESHES),
@@ -110,6 +112,7 @@ impl FilePurpose {
                 Self::Save
                     | Self::SaveWithFiles
                     | Self::SaveScene
+                    | Self::SaveSceneWithFiles
                     | Self::SaveShot
                     | Self::SavePainting
                     | Self::BakeLook

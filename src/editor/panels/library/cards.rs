@@ -1,5 +1,5 @@
-//! Cards: looks, scenes, shots and paintings as pictures that open when they are pressed, from files
-//! and from the examples.
+//! Cards: looks, scenes, shots and paintings as pictures that open when they are pressed, from
+//! files and from the examples.
 
 use std::cell::OnceCell;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};

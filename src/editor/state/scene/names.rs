@@ -47,7 +47,7 @@ pub(crate) fn folder_of(file: &Path) -> PathBuf {
 }
 
 /// Renames every file of a scene, except looks that are no files and examples.
-fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
+pub(super) fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
     for object in scene.objects.values_mut() {
         if !object.mesh.starts_with(SHAPE_PREFIX) {
             object.mesh = name(&object.mesh);

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look, Object};
-use crate::files::{FileSet, shortened};
+use crate::files::{FileSet, make_folder, shortened};
 use crate::ids::PortName;
 use crate::state::masks::MaskSteps;
 use crate::state::painting::look;
@@ -16,6 +16,7 @@ use crate::state::parts::pictures::{
 };
 use crate::state::paths::absolute;
 use crate::state::pictures::CarriedPicture;
+use crate::state::scene::carried::is_free;
 
 /// What becomes of the files that lie with a document which is saved into another folder: those
 /// that lie elsewhere are shared, and are linked in any case.
@@ -139,6 +140,68 @@ impl Session {
         self.shelf.write_beside(path);
         self.saved();
         Ok(moved.map(|moved| moved.files).unwrap_or_default())
+    }
+
+    /// Saves the scene to a file, as [`save_scene_as`](Self::save_scene_as) does; in another folder
+    /// with or without copies of the files that lie with it, the open look among them. Tells what
+    /// became of the files that the scene names.
+    ///
+    /// # Errors
+    /// A diagnostic with the reason; the scene's file is unchanged then.
+    pub(crate) fn save_scene_with(
+        &mut self,
+        path: &Path,
+        own: OwnFiles,
+    ) -> Result<MovedPictures, Box<Diagnostic>> {
+        let library = self.project.library.clone();
+        let copies = own == OwnFiles::Copied && self.shot().is_none();
+        let of_scene = self.open_scene.as_ref().filter(|_| copies);
+        let carried = match of_scene {
+            Some(open_scene) => open_scene.carried(path, &library)?,
+            None => None,
+        };
+        let Some(mut carried) = carried else {
+            return self.save_scene_as(path).map(|()| MovedPictures::default());
+        };
+        let look =
+            self.look.path.as_deref().filter(|look| of_scene.is_some_and(|it| it.wears(look)));
+        let look = look.and_then(|look| carried.place_of(&shortened(&absolute(look))));
+        if let Some(look) = &look {
+            is_free(look, None)?;
+            make_folder(look.parent().unwrap_or(Path::new("")))?;
+        }
+        carried.write()?;
+        let saved = match &look {
+            Some(look) => self.save_with(look, OwnFiles::Copied).map(|mut files| {
+                let name = look.file_name().unwrap_or_default();
+                files.along.push(name.to_string_lossy().into_owned());
+                files
+            }),
+            None => Ok(MovedPictures::default()),
+        };
+        let saved = saved.and_then(|files| {
+            let before = self.open_scene.as_ref().map(|open_scene| open_scene.scene().clone());
+            if let Some(open_scene) = &mut self.open_scene {
+                open_scene.name_carried(&carried);
+            }
+            let saved = self.save_scene_as(path);
+            if let (Err(_), Some(before), Some(open_scene)) = (&saved, before, &mut self.open_scene)
+            {
+                open_scene.document.history.amend(before, |_| {});
+            }
+            saved.map(|()| files)
+        });
+        match saved {
+            Ok(files) => {
+                carried.told.along.extend(files.along);
+                carried.told.linked.extend(files.linked);
+                Ok(carried.told)
+            }
+            Err(problem) => {
+                carried.take_away();
+                Err(problem)
+            }
+        }
     }
 
     /// The look with its files named from the folder of another file; `None` where the look stays
@@ -312,5 +375,59 @@ mod tests {
         let files = session.save_with(&home.path().join("first/b.json"), OwnFiles::Copied).unwrap();
         assert!(files.told().is_empty());
         assert_eq!(images(session.look())[..2], ["m.png", "../shared/wood.png"]);
+    }
+
+    /// A scene in `first` of the look there, of another one in a folder of it, and of a mesh.
+    fn scene_at(home: &Path) -> PathBuf {
+        std::fs::create_dir(home.join("first/looks")).unwrap();
+        let other = LOOK.replace("m.png", "../m.png").replace("../shared", "../../shared");
+        std::fs::write(home.join("first/looks/other.json"), other).unwrap();
+        std::fs::write(home.join("first/cube.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+            .unwrap();
+        let scene = home.join("first/scene.json");
+        let text = r#"{"chiaro": "scene", "objects": [
+            {"id": "cube", "mesh": "cube.obj", "looks": "look.json"},
+            {"id": "ball", "mesh": "shape:sphere", "looks": "looks/other.json"}]}"#;
+        std::fs::write(&scene, text).unwrap();
+        scene
+    }
+
+    #[test]
+    fn a_scene_takes_its_own_files_along_if_wanted() {
+        let (home, mut session) = home();
+        let scene = scene_at(home.path());
+        session.open(&scene).unwrap();
+        session.open(&home.path().join("first/look.json")).unwrap();
+        let to = home.path().join("second/scene.json");
+        let files = session.save_scene_with(&to, OwnFiles::Copied).unwrap();
+        assert!(files.linked.iter().all(|name| name == "wood.png"), "{:?}", files.linked);
+        for name in ["scene.json", "look.json", "looks/other.json", "cube.obj", "m.png"] {
+            assert!(home.path().join("second").join(name).is_file(), "{name}");
+        }
+        assert_eq!(session.path(), Some(&*home.path().join("second/look.json")));
+        assert!(!session.is_dirty());
+        let read = |name: &str| std::fs::read_to_string(home.path().join(name)).unwrap();
+        let saved = read("second/scene.json");
+        for name in ["\"cube.obj\"", "\"look.json\"", "\"looks/other.json\""] {
+            assert!(saved.contains(name), "{saved}");
+        }
+        let other = Look::read(&read("second/looks/other.json"), "other").value.unwrap();
+        assert_eq!(images(&other)[..2], ["../m.png", "../../shared/wood.png"]);
+    }
+
+    #[test]
+    fn a_scene_goes_nowhere_where_another_file_has_a_place() {
+        let (home, mut session) = home();
+        let scene = scene_at(home.path());
+        session.open(&scene).unwrap();
+        session.open(&home.path().join("first/look.json")).unwrap();
+        std::fs::write(home.path().join("second/cube.obj"), "another").unwrap();
+        let to = home.path().join("second/scene.json");
+        let problem = session.save_scene_with(&to, OwnFiles::Copied).unwrap_err();
+        assert!(problem.place.file.is_some_and(|file| file.ends_with("cube.obj")));
+        assert!(!to.exists() && !home.path().join("second/looks").exists());
+        // Without copies the same files are used.
+        session.save_scene_with(&to, OwnFiles::Linked).unwrap();
+        assert!(std::fs::read_to_string(&to).unwrap().contains("\"../first/cube.obj\""));
     }
 }
