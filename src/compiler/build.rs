@@ -15,7 +15,7 @@ fn main() {
         Table {
             name: "EXAMPLES",
             base: "examples",
-            folders: &["looks", "shadows", "hcbtf", "images", "meshes", "scenes"],
+            folders: &["looks", "shadows", "hcbtf", "images", "meshes", "scenes", "shots"],
             extensions: &["json", "hcbtf", "png", "ies", "glb"],
             content: Content::Bytes,
             order: Some("order.txt"),

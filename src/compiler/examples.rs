@@ -1,11 +1,11 @@
-//! Examples embedded in the crate: looks, scenes, meshes and HCBTFs, as files with names that hold
-//! in any folder.
+//! Examples embedded in the crate: looks, scenes, shots, meshes and HCBTFs, as files with names
+//! that hold in any folder.
 //!
 //! `example:hcbtf/arch.json` is `examples/hcbtf/arch.json` of the source. Such a name may stand
 //! wherever a path may, behind any folder, so that a document with such a reference can be saved
 //! anywhere. The meshes of examples are the program's own shapes, and files in `meshes/`.
 
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 /// Prefix of the names of examples.
 pub const PREFIX: &str = "example:";
@@ -13,6 +13,9 @@ pub const PREFIX: &str = "example:";
 // `EXAMPLES`: name and content of each example, in the order in which they are best looked at
 // (`examples/order.txt`).
 include!(concat!(env!("OUT_DIR"), "/examples.rs"));
+
+/// Folder of shots, and of the films that they are of.
+const SHOTS: &str = "shots/";
 
 /// Contents of the gallery: `examples/gallery.json`.
 pub const GALLERY: &str = include_str!("examples/gallery.json");
@@ -47,9 +50,19 @@ pub fn subjects() -> Vec<Subject> {
     subjects
 }
 
-/// Names of all example looks, scenes and HCBTFs, without [`PREFIX`].
+/// Names of all example looks, scenes, shots and HCBTFs, without [`PREFIX`]. The looks and the
+/// scene of a film lie with its shots, which show them.
 pub fn documents() -> impl Iterator<Item = &'static str> {
-    EXAMPLES.iter().map(|(name, _)| *name).filter(|name| name.ends_with(".json"))
+    let is_shown = |(name, bytes): &&(&'static str, &'static [u8])| {
+        name.ends_with(".json") && (!name.starts_with(SHOTS) || is_shot(bytes))
+    };
+    EXAMPLES.iter().filter(is_shown).map(|(name, _)| *name)
+}
+
+/// True if an example document is a shot, told without reading all of it.
+fn is_shot(bytes: &[u8]) -> bool {
+    const KIND: &[u8] = b"\"chiaro\": \"shot\"";
+    bytes.windows(KIND.len()).any(|part| part == KIND)
 }
 
 /// Names of all example files, without [`PREFIX`].
@@ -66,9 +79,10 @@ pub fn file(path: &Path) -> Option<&'static [u8]> {
 /// Text of the example document that `path` names; `None` where `path` names no example. References
 /// to other examples in the text get names that hold in any folder.
 pub fn text(path: &Path) -> Option<String> {
+    let name = name(path)?;
     let text = std::str::from_utf8(file(path)?).ok()?;
     let mut text = text.to_owned();
-    for folder in ["looks", "shadows", "hcbtf", "images", "meshes"] {
+    for folder in ["looks", "shadows", "hcbtf", "images", "meshes", "scenes"] {
         text = text.replace(&format!("\"../{folder}/"), &format!("\"{PREFIX}{folder}/"));
     }
     // References to files beside a document, such as images.
@@ -76,7 +90,28 @@ pub fn text(path: &Path) -> Option<String> {
         let name = beside.rsplit('/').next().unwrap_or(beside);
         text = text.replace(&format!("\"{name}\""), &format!("\"{PREFIX}{beside}\""));
     }
+    // Shots name scenes and shots beside them, and the scene of a film its looks.
+    let (folder, _) = name.rsplit_once('/').unwrap_or_default();
+    let beside = documents_in(folder).filter(|_| name.starts_with(SHOTS));
+    for (other, file) in beside.filter(|(other, _)| *other != name) {
+        text = text.replace(&format!("\"{file}\""), &format!("\"{PREFIX}{other}\""));
+    }
     Some(text)
+}
+
+/// Path of the example that `path` names, the same wherever it is named from; `None` where `path`
+/// names no example.
+pub fn canonical(path: &Path) -> Option<PathBuf> {
+    file(path)?;
+    Some(PathBuf::from(format!("{PREFIX}{}", name(path)?)))
+}
+
+/// Names of the documents of a folder, with their file names.
+fn documents_in(folder: &str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let all = EXAMPLES.iter().map(|(name, _)| *name).filter(|name| name.ends_with(".json"));
+    all.filter_map(|name| name.rsplit_once('/').map(|(of, file)| (name, of, file)))
+        .filter(move |(_, of, _)| *of == folder)
+        .map(|(name, _, file)| (name, file))
 }
 
 /// Name of the example in a path, without [`PREFIX`].
@@ -115,6 +150,28 @@ mod tests {
             let text = super::text(Path::new(&format!("{PREFIX}{name}"))).unwrap();
             assert!(!text.contains("\"../"), "{name}");
         }
+        for (name, wanted) in [
+            ("shots/evening-020.json", "\"scene\": \"example:shots/evening.json\""),
+            ("shots/evening.json", "\"scene\": \"example:scenes/lit-room-day.json\""),
+            ("shots/nightfall/nightfall.json", "\"example:shots/nightfall/meadow.json\""),
+            ("shots/nightfall/meadow.json", "\"mesh\": \"example:shots/nightfall/hob.glb\""),
+            ("shots/nightfall/meadow.json", "\"looks\": \"example:shots/nightfall/sky.json\""),
+        ] {
+            let text = super::text(Path::new(&format!("{PREFIX}{name}"))).unwrap();
+            assert!(text.contains(wanted), "{name}: {text}");
+        }
+    }
+
+    #[test]
+    fn an_example_has_one_path_wherever_it_is_named_from() {
+        let of = |path: &str| canonical(Path::new(path));
+        let evening = Some(PathBuf::from("example:shots/evening.json"));
+        assert_eq!(of("example:shots/evening.json"), evening);
+        assert_eq!(of("/a/example:scenes/../shots/evening.json"), evening);
+        assert_eq!(of("example:shots/example:shots/evening.json"), evening);
+        assert_eq!(of("example:shots/none.json"), None);
+        assert!(documents().any(|name| name == "shots/nightfall/nightfall-010.json"));
+        assert!(documents().all(|name| name != "shots/nightfall/meadow.json"), "it is of the film");
     }
 
     #[test]

@@ -39,7 +39,7 @@ impl Files for Disk {
     }
 
     fn canonical(&self, path: &Path) -> Option<PathBuf> {
-        path.canonicalize().ok()
+        examples::canonical(path).or_else(|| path.canonicalize().ok())
     }
 
     fn walk(

@@ -2,8 +2,14 @@
 
 use std::path::{Component, Path, PathBuf};
 
-/// A path without the folders that it leaves again, by its letters alone: no link is followed.
+use chiaro_compiler::examples;
+
+/// A path without the folders that it leaves again, by its letters alone: no link is followed. An
+/// example has one path.
 pub fn shortened(path: &Path) -> PathBuf {
+    if let Some(example) = examples::canonical(path) {
+        return example;
+    }
     let mut short = PathBuf::new();
     for part in path.components() {
         match (part, short.components().next_back()) {
@@ -16,8 +22,11 @@ pub fn shortened(path: &Path) -> PathBuf {
 }
 
 /// Relative path from a folder to a file, both absolute; the file itself where there is none, as
-/// from one drive to another.
+/// from one drive to another, and where the file is an example.
 pub fn relative(folder: &Path, file: &Path) -> String {
+    if let Some(example) = examples::canonical(file) {
+        return example.to_string_lossy().into_owned();
+    }
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
     // Not even the root is shared, or nothing else is.
@@ -40,8 +49,11 @@ mod tests {
             ("../../a.json", "../../a.json"),
             ("/p/q/../../../a", "/../a"),
             ("", ""),
+            ("shots/example:shots/../scenes/cast.json", "example:scenes/cast.json"),
         ] {
             assert_eq!(shortened(Path::new(long)), Path::new(short), "{long}");
         }
+        let cast = Path::new("/a/example:scenes/cast.json");
+        assert_eq!(relative(Path::new("/a/b"), cast), "example:scenes/cast.json");
     }
 }

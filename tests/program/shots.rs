@@ -500,6 +500,17 @@ fn scenes_of_examples_are_checked_with_their_looks() {
     assert!(output.status.success() && said.contains("nothing is wrong"), "{said}");
 }
 
+/// Shots, and the scenes and looks that they change, are examples from anywhere.
+#[test]
+fn shots_of_examples_are_checked_with_their_scenes() {
+    for shot in ["evening-010", "evening-020", "nightfall/nightfall-010-graded"] {
+        let name = format!("example:shots/{shot}.json");
+        let output = Folder::new().run(&["check", "--strict", &name]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && said.contains("nothing is wrong"), "{said}");
+    }
+}
+
 /// The example shots are sound, and so is a new one.
 #[test]
 fn example_shots_and_templates_are_checked_without_a_word() {

@@ -25,6 +25,7 @@ use crate::state::revision::GestureId;
 use crate::state::scene::{OpenScene, turned_around};
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
+use crate::state::session::saving::OwnFiles;
 use crate::state::wedge::WedgeSheet;
 use crate::tools::flip::FlipBook;
 use crate::tools::handles::HandlesSwitch;
@@ -112,9 +113,10 @@ impl App {
             Command::StartTour(topic) => self.do_or_ask(PendingAction::Tour(topic)),
             Command::OpenPalette => self.sheet.open_palette(),
             Command::OpenShortcuts => self.sheet.open_shortcuts(),
-            Command::Save => self.save(),
-            Command::SaveAs => self.ask_where_to_save(),
-            Command::SaveTo(path) => self.save_to(&path),
+            command @ (Command::Save
+            | Command::SaveAs
+            | Command::SaveWithFiles
+            | Command::SaveTo(..)) => self.apply_saving(command),
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
             Command::ShowOn(None) => self.ask_for_mesh(),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
@@ -222,11 +224,27 @@ impl App {
         }
     }
 
+    /// Saves the look, or asks where to save it.
+    fn apply_saving(&mut self, command: Command) {
+        match command {
+            Command::SaveAs => self.ask_where_to_save(FilePurpose::Save),
+            Command::SaveWithFiles => self.ask_where_to_save(FilePurpose::SaveWithFiles),
+            Command::SaveTo(path, own) => self.save_to(&path, own),
+            _ => self.save(),
+        }
+    }
+
     /// Saves the look to a file, and goes on with what waited for it.
-    fn save_to(&mut self, path: &Path) {
-        match self.write_look(path) {
+    fn save_to(&mut self, path: &Path, own: OwnFiles) {
+        match self.write_look(path, own) {
             Ok(()) => self.go_on_if_safe(),
-            Err(problem) => self.ask_again(FilePurpose::Save, path, &problem),
+            Err(problem) => {
+                let purpose = match own {
+                    OwnFiles::Linked => FilePurpose::Save,
+                    OwnFiles::Copied => FilePurpose::SaveWithFiles,
+                };
+                self.ask_again(purpose, path, &problem);
+            }
         }
     }
 
@@ -379,13 +397,13 @@ impl App {
         self.session.select(vec![id]);
     }
 
-    fn ask_where_to_save(&mut self) {
+    fn ask_where_to_save(&mut self, purpose: FilePurpose) {
         if self.session.shot().is_some() {
             return self.dialogs.ask(FilePurpose::SaveShot, self.near_scene().as_deref());
         }
         let by_name = || PathBuf::from(format!("{}.json", stem_of(&self.session.look().name)));
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
-        self.dialogs.ask(FilePurpose::Save, Some(&near));
+        self.dialogs.ask(purpose, Some(&near));
     }
 
     /// Copies the shader as it is exported: with values folded into it.
@@ -458,7 +476,7 @@ impl App {
         let saves_look = self.session.is_look_dirty() || !is_scene_dirty && !did_paint;
         if saves_look {
             let Some(path) = self.session.path().map(Path::to_path_buf) else {
-                return self.ask_where_to_save();
+                return self.ask_where_to_save(FilePurpose::Save);
             };
             if !self.save_as(&path) {
                 return;

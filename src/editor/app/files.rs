@@ -19,9 +19,11 @@ use crate::panels::library;
 use crate::state::crashes::CrashMark;
 use crate::state::document::CHANGED_ON_DISK;
 use crate::state::painting::work::OpenPainting;
+use crate::state::parts::pictures::MovedPictures;
 use crate::state::problem_text::sentence;
 use crate::state::scene::{LookToOpen, OpenScene, real};
 use crate::state::session::painting::is_painting_shown;
+use crate::state::session::saving::OwnFiles;
 use crate::state::shelf::SnapshotId;
 use crate::state::wedge::WedgeSheet;
 use crate::widgets::confirm;
@@ -167,16 +169,22 @@ impl App {
 
     /// Saves to a file, and reports a failure. Returns true if the file is written.
     pub fn save_as(&mut self, path: &Path) -> bool {
-        self.write_look(path).is_ok()
+        self.write_look(path, OwnFiles::Linked).is_ok()
     }
 
-    /// Saves the look to a file, and reports the result.
+    /// Saves the look to a file, and reports the result with what became of the files that the look
+    /// names.
     ///
     /// # Errors
     /// The problem that was reported.
-    pub(super) fn write_look(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
-        let saved = self.session.save_named(path);
-        self.tell_saved(path, saved)?;
+    pub(super) fn write_look(
+        &mut self,
+        path: &Path,
+        own: OwnFiles,
+    ) -> Result<(), Box<Diagnostic>> {
+        let saved = self.session.save_named(path, own);
+        let told = saved.as_ref().map(MovedPictures::told).unwrap_or_default();
+        self.tell_saved(path, saved.map(drop))?;
         let orbit = &self.session.view.orbit;
         let is_turned = orbit.illumination.angle_between(DQuat::IDENTITY) > TURNED;
         let is_own = !orbit.mesh.starts_with(SHAPE_PREFIX) || is_turned;
@@ -186,6 +194,9 @@ impl App {
                  which the panel Objects saves",
                 file = path.display()
             ));
+        }
+        if let Some(message) = &mut self.message {
+            told.iter().for_each(|told| *message += &format!(" · {told}"));
         }
         Ok(())
     }
@@ -365,6 +376,7 @@ impl App {
                 let text = examples::text(&example.path).unwrap_or_default();
                 self.session.start_from(&text, example.stem);
             }
+            library::ExampleContent::Shot(_) => self.open(&example.path),
         }
     }
 

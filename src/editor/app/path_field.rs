@@ -104,6 +104,7 @@ impl PathField {
                 }
                 None => ui.label(RichText::new(reason).color(theme::of(ui).warning)),
             };
+            self.files_along(ui);
             ui.horizontal(|ui| {
                 let label = match (&verdict, self.purpose.writes()) {
                     _ if self.purpose.is_folder() => tr!("Export here"),
@@ -130,6 +131,27 @@ impl PathField {
             answer = Some(None);
         }
         answer
+    }
+
+    /// Shows the choice whether the files of a look or a scene go along into another folder.
+    fn files_along(&mut self, ui: &mut Ui) {
+        let [without, with] = match self.purpose {
+            FilePurpose::Save | FilePurpose::SaveWithFiles => {
+                [FilePurpose::Save, FilePurpose::SaveWithFiles]
+            }
+            FilePurpose::SaveScene | FilePurpose::SaveSceneWithFiles => {
+                [FilePurpose::SaveScene, FilePurpose::SaveSceneWithFiles]
+            }
+            _ => return,
+        };
+        let mut is_along = self.purpose == with;
+        let help = tr!(
+            "In another folder: files that lie with the document are copied with it; all others \
+             are used where they are"
+        );
+        if ui.checkbox(&mut is_along, tr!("Copy its files along")).on_hover_text(help).changed() {
+            self.purpose = if is_along { with } else { without };
+        }
     }
 
     /// Shows the text field. Returns true if Enter was pressed in it.
@@ -210,7 +232,9 @@ fn title(purpose: FilePurpose) -> &'static str {
             tr!("Open a look, a scene, a shot, a painted surface or a sheet of a wedge")
         }
         FilePurpose::Save => tr!("Save the look"),
+        FilePurpose::SaveWithFiles => tr!("Save the look and its files"),
         FilePurpose::SaveScene => tr!("Save the scene"),
+        FilePurpose::SaveSceneWithFiles => tr!("Save the scene and its files"),
         FilePurpose::SaveShot => tr!("Save the shot"),
         FilePurpose::SavePainting => tr!("Save the painting"),
         FilePurpose::BakeLook => tr!("Bake the look onto a tile"),

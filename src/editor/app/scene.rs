@@ -14,8 +14,10 @@ use crate::document::SceneEdit;
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::{NodePath, ObjectId, make_slug};
+use crate::state::parts::pictures::MovedPictures;
 use crate::state::scene::{OPEN_LOOK, OpenScene};
 use crate::state::session::Session;
+use crate::state::session::saving::OwnFiles;
 use crate::state::shot::{OpenShot, ShotAddress, shots_that_change};
 use crate::widgets::spots::{self, Spot};
 
@@ -63,6 +65,10 @@ impl App {
             SceneCommand::SaveAs => {
                 self.session.begin_scene();
                 self.dialogs.ask(FilePurpose::SaveScene, self.near_scene().as_deref());
+            }
+            SceneCommand::SaveWithFiles => {
+                let purpose = FilePurpose::SaveSceneWithFiles;
+                self.dialogs.ask(purpose, self.near_scene().as_deref());
             }
             SceneCommand::Close => self.do_or_ask(PendingAction::LeaveScene),
             SceneCommand::Shot(command) => self.apply_to_shot(ui, command),
@@ -175,7 +181,12 @@ impl App {
     fn chosen(&mut self, purpose: FilePurpose, path: &Path) {
         let asked = self.session.open_scene_mut().and_then(|open_scene| open_scene.asked.take());
         match (purpose, asked) {
-            (FilePurpose::SaveScene | FilePurpose::SaveShot, _) => self.save_scene_and_go_on(path),
+            (FilePurpose::SaveScene | FilePurpose::SaveShot, _) => {
+                self.save_scene_and_go_on(path, OwnFiles::Linked);
+            }
+            (FilePurpose::SaveSceneWithFiles, _) => {
+                self.save_scene_and_go_on(path, OwnFiles::Copied);
+            }
             (FilePurpose::AddMesh, _) => self.add_object(&path.to_string_lossy()),
             (FilePurpose::ObjectMesh, Some((id, _))) => {
                 self.change_object(&id, |open_scene, object| {
@@ -288,7 +299,9 @@ impl App {
             return;
         }
         let path = open_scene.path_of(name);
-        if examples::file(&path).is_some() {
+        // Under a shot a look stays as it is: the shot has what is changed.
+        let is_example = examples::file(&path).is_some();
+        if is_example && self.session.shot().is_none() {
             let text = tr!(
                 "This object wears an example: open that from the start page to change it, or \
                  choose another look"
@@ -296,7 +309,7 @@ impl App {
             self.message = Some(text.to_owned());
             return;
         }
-        if name == OPEN_LOOK || !path.is_file() {
+        if name == OPEN_LOOK || !is_example && !path.is_file() {
             self.message = Some(tr!(
                 "There is no look {file}: choose another for the object",
                 file = path.display()
@@ -342,43 +355,55 @@ impl App {
         if let Some(shot) = self.session.shot() {
             let path = shot.path().to_path_buf();
             return match shot.has_file() {
-                true => self.save_scene_and_go_on(&path),
+                true => self.save_scene_and_go_on(&path, OwnFiles::Linked),
                 false => self.dialogs.ask(FilePurpose::SaveShot, self.near_scene().as_deref()),
             };
         }
         match self.session.open_scene().map(|open_scene| open_scene.path().map(Path::to_path_buf)) {
-            Some(Some(path)) => self.save_scene_and_go_on(&path),
+            Some(Some(path)) => self.save_scene_and_go_on(&path, OwnFiles::Linked),
             Some(None) => self.dialogs.ask(FilePurpose::SaveScene, self.near_scene().as_deref()),
             None => {}
         }
     }
 
-    fn save_scene_and_go_on(&mut self, path: &Path) {
-        let Err(problem) = self.write_scene(path) else {
+    fn save_scene_and_go_on(&mut self, path: &Path, own: OwnFiles) {
+        let Err(problem) = self.write_scene(path, own) else {
             return self.go_on_if_safe();
         };
-        let is_shot = self.session.shot().is_some();
-        let purpose = if is_shot { FilePurpose::SaveShot } else { FilePurpose::SaveScene };
+        let purpose = match own {
+            _ if self.session.shot().is_some() => FilePurpose::SaveShot,
+            OwnFiles::Linked => FilePurpose::SaveScene,
+            OwnFiles::Copied => FilePurpose::SaveSceneWithFiles,
+        };
         self.ask_again(purpose, path, &problem);
     }
 
     /// Saves the scene to a file, and reports a failure. A look that objects wear and that has no
     /// file yet is saved beside the scene, which names it. Returns true if the files are written.
     pub fn save_scene_as(&mut self, path: &Path) -> bool {
-        self.write_scene(path).is_ok()
+        self.write_scene(path, OwnFiles::Linked).is_ok()
     }
 
-    fn write_scene(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+    /// Saves the scene to a file, and reports the result with what became of the files that it
+    /// names.
+    ///
+    /// # Errors
+    /// The problem that was reported.
+    fn write_scene(&mut self, path: &Path, own: OwnFiles) -> Result<(), Box<Diagnostic>> {
         let look = self.look_beside(path);
         if let Some(look) = &look {
-            self.write_look(look)?;
+            self.write_look(look, OwnFiles::Linked)?;
         }
-        let saved = self.session.save_scene_as(path);
-        self.tell_saved(path, saved)?;
+        let saved = self.session.save_scene_with(path, own);
+        let told = saved.as_ref().map(MovedPictures::told).unwrap_or_default();
+        self.tell_saved(path, saved.map(drop))?;
         if let Some(look) = look.as_deref().and_then(Path::file_name) {
             let look = look.to_string_lossy();
             self.message =
                 Some(tr!("Saved {file}, and its look {look} beside it", file = path.display()));
+        }
+        if let Some(message) = &mut self.message {
+            told.iter().for_each(|told| *message += &format!(" · {told}"));
         }
         Ok(())
     }

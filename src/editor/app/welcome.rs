@@ -20,6 +20,7 @@ use crate::state::comparison::ComparedPicture;
 use crate::state::document::CHANGED_ON_DISK;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
+use crate::state::session::saving::OwnFiles;
 use crate::widgets::theme;
 
 /// State of the session when the start page came: the page leaves with the first change.
@@ -153,12 +154,14 @@ impl App {
         }
         let command = |(purpose, path)| match purpose {
             FilePurpose::Open => Command::Open(Some(path)),
-            FilePurpose::Save => Command::SaveTo(path),
+            FilePurpose::Save => Command::SaveTo(path, OwnFiles::Linked),
+            FilePurpose::SaveWithFiles => Command::SaveTo(path, OwnFiles::Copied),
             FilePurpose::Mesh => Command::ShowOn(Some(path)),
             FilePurpose::AddMesh
             | FilePurpose::ObjectMesh
             | FilePurpose::ObjectLook
             | FilePurpose::SaveScene
+            | FilePurpose::SaveSceneWithFiles
             | FilePurpose::SaveShot => Command::Scene(SceneCommand::Chosen(purpose, path)),
             FilePurpose::SavePainting => Command::Paint(PaintCommand::SaveTo(path)),
             FilePurpose::ImportPainting(import) => {

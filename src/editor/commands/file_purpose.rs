@@ -14,6 +14,8 @@ use crate::photometry::LAMP_FILE;
 pub(crate) enum FilePurpose {
     Open,
     Save,
+    /// A file for the look, beside copies of the files that lie with the look.
+    SaveWithFiles,
     Mesh,
     /// A mesh for one more object.
     AddMesh,
@@ -22,6 +24,8 @@ pub(crate) enum FilePurpose {
     /// A look for the object that the question is about.
     ObjectLook,
     SaveScene,
+    /// A file for the scene, beside copies of the files that lie with the scene.
+    SaveSceneWithFiles,
     SaveShot,
     SavePainting,
     /// Pictures of other programs, or a folder of them.
@@ -73,8 +77,8 @@ impl FilePurpose {
                 tr!("Look, scene, shot, painted surface, sheet of a wedge, or graph to import"),
                 &["json", PAINTING, "mtlx", "png"],
             ),
-            Self::Save | Self::ObjectLook => (tr!("Chiaro look"), &["json"]),
-            Self::SaveScene => (tr!("Chiaro scene"), &["json"]),
+            Self::Save | Self::SaveWithFiles | Self::ObjectLook => (tr!("Chiaro look"), &["json"]),
+            Self::SaveScene | Self::SaveSceneWithFiles => (tr!("Chiaro scene"), &["json"]),
             Self::SaveShot => (tr!("Chiaro shot"), &["json"]),
             Self::SavePainting | Self::BakeLook => (tr!("Painted surface"), &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => (tr!("Mesh"), &MESHES),
@@ -106,7 +110,9 @@ impl FilePurpose {
             && matches!(
                 self,
                 Self::Save
+                    | Self::SaveWithFiles
                     | Self::SaveScene
+                    | Self::SaveSceneWithFiles
                     | Self::SaveShot
                     | Self::SavePainting
                     | Self::BakeLook

@@ -34,6 +34,7 @@ use eframe::egui;
 use crate::document::{Edit, Target};
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
 use crate::state::keying::KeyPlace;
+use crate::state::session::saving::OwnFiles;
 use crate::state::solo::Solo;
 use crate::state::wedge::{CellScope, WedgeCell};
 use crate::state::wire::ShownWire;
@@ -91,8 +92,10 @@ pub(crate) enum Command {
     /// Saves to the look's own file; asks for one where there is none.
     Save,
     SaveAs,
-    /// Saves to this file.
-    SaveTo(PathBuf),
+    /// Asks for a file, and saves to it with copies of the files that lie with the look.
+    SaveWithFiles,
+    /// Saves to this file; in another folder, with or without copies of the look's own files.
+    SaveTo(PathBuf, OwnFiles),
     /// Shows the look on the mesh of this file, or on the built-in shape that `shape:` names; asks
     /// for a file where there is none.
     ShowOn(Option<PathBuf>),

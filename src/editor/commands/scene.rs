@@ -40,6 +40,8 @@ pub(crate) enum SceneCommand {
     /// Asks for a file, and saves to it; where no scene is open, one of the picture's mesh, camera
     /// and lights.
     SaveAs,
+    /// Asks for a file, and saves to it with copies of the files that lie with the scene.
+    SaveWithFiles,
     /// Puts the scene aside; the look stays open.
     Close,
     /// Command about the shot over the scene.

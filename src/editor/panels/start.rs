@@ -139,7 +139,7 @@ static TILES: [StartTile; 5] = [
     },
     StartTile {
         title: text!("Open a file"),
-        text: text!("A look, a scene or a painting, yours or others'"),
+        text: text!("A look, a scene, a shot or a painting, yours or others'"),
         command: Command::Open(None),
         is_first: false,
     },
@@ -283,7 +283,7 @@ impl Start {
             heading(
                 ui,
                 tr!("Recent"),
-                tr!("Looks, scenes and paintings that were open, the newest first"),
+                tr!("Looks, scenes, shots and paintings that were open, the newest first"),
             );
             for row in self.recent.chunks(columns) {
                 in_row(ui, row, |ui, recent| match &recent.card {

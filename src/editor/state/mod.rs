@@ -1,6 +1,7 @@
 //! State of the window, without egui: the open documents with their past, the view on them, the
 //! selection, the compiled shaders, and the journals that keep unsaved work.
 
+pub(crate) mod arrangement;
 pub(crate) mod comparison;
 pub(crate) mod compiling;
 pub(crate) mod crashes;

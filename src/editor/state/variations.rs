@@ -169,7 +169,9 @@ impl VariationSheet {
         let own_file = is_file.then(|| open_scene.path_of(own));
         let in_folders = own_file.iter().map(|file| beside(file));
         let in_folders = in_folders.chain(open_scene.path().map(beside)).flatten();
-        let of_examples = examples::names().filter(|name| is_mesh(Path::new(name)));
+        // Meshes of films are made for their scenes.
+        let of_examples = examples::names().filter(|name| name.starts_with("meshes/"));
+        let of_examples = of_examples.filter(|name| is_mesh(Path::new(name)));
         let of_examples = of_examples.map(|name| format!("{}{name}", examples::PREFIX));
         let named = std::iter::once(own).chain(of_others).cloned();
         let all: IndexSet<String> =

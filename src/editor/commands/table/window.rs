@@ -25,6 +25,22 @@ pub(super) fn files() -> Vec<CommandRow> {
         )),
         row(C::SaveAs, text!("Save under another name"), &[(CTRL_SHIFT, Key::S)], Window)
             .help(text!("Saves the look under another name")),
+        row(C::SaveWithFiles, text!("Save under another name with its files"), &[], Window).help(
+            text!(
+                "Saves the look into another folder, and copies the images and painted surfaces \
+                 that lie with it beside it; all others are used where they are"
+            ),
+        ),
+        row(
+            C::Scene(SceneCommand::SaveWithFiles),
+            text!("Save the scene under another name with its files"),
+            &[],
+            Window,
+        )
+        .help(text!(
+            "Saves the scene into another folder, and copies the meshes, looks and images that lie \
+             with it there; all others are used where they are"
+        )),
         row(C::Save, text!("Save"), &[(CTRL, Key::S)], Window)
             .help(text!("Saves the look, its scene and what is painted")),
         row(

@@ -1,5 +1,5 @@
-//! Cards: looks, scenes and paintings as pictures that open when they are pressed, from files and
-//! from the examples.
+//! Cards: looks, scenes, shots and paintings as pictures that open when they are pressed, from
+//! files and from the examples.
 
 use std::cell::OnceCell;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -12,7 +12,7 @@ use eframe::egui::{
     TextureHandle, TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
-use super::super::thumbs::{Shot, ThumbStage, Thumbs, key_of, key_of_scene};
+use super::super::thumbs::{Shot, ThumbStage, Thumbs, key_of, key_of_scene, key_of_shot};
 use super::examples::{self, Example, Listing, count, example};
 use super::words;
 use crate::commands::{Command, PAINTING};
@@ -39,6 +39,7 @@ enum CardOrigin {
 enum CardContent {
     Look(Arc<Look>),
     Scene,
+    Shot,
     Painting(Box<PaintingSummary>),
     /// File that cannot be read; opening it tells why.
     Unreadable,
@@ -84,7 +85,7 @@ impl PaintingSummary {
     }
 }
 
-/// Card of a look, a scene or a painting that can be opened.
+/// Card of a look, a scene, a shot or a painting that can be opened.
 pub(crate) struct Card {
     origin: CardOrigin,
     /// Name that crashes are recorded under, in English.
@@ -127,6 +128,10 @@ impl Card {
                     let key = key_of_scene(&path, &scene, session, side);
                     (scene.name, scene.about, CardContent::Scene, key)
                 }
+                examples::ExampleContent::Shot(shot) => {
+                    let key = key_of_shot(&path, session, side);
+                    (shot.name, shot.about, CardContent::Shot, key)
+                }
             };
             let figure = figure.filter(|_| !name.is_empty()).map(|number| (name.clone(), number));
             let name = match &figure {
@@ -163,6 +168,9 @@ impl Card {
             }
             Document::Scene(LoadedDocument { value: Some(scene), .. }) => {
                 (CardContent::Scene, key_of_scene(path, &scene, session, side))
+            }
+            Document::Shot(LoadedDocument { value: Some(_), .. }) => {
+                (CardContent::Shot, key_of_shot(path, session, side))
             }
             _ => (CardContent::Unreadable, 0),
         };
@@ -236,6 +244,7 @@ impl Card {
         let name = self.title();
         let label = match self.content {
             CardContent::Scene => tr!("Open the scene {name}"),
+            CardContent::Shot => tr!("Open the shot {name}"),
             CardContent::Painting(_) => tr!("Open the painting {name}"),
             _ => tr!("Open the look {name}"),
         };
@@ -271,10 +280,10 @@ impl Card {
                 ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
             }
             (_, None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
-                let text = if matches!(self.content, CardContent::Scene) {
-                    tr!("a scene")
-                } else {
-                    tr!("no picture")
+                let text = match self.content {
+                    CardContent::Scene => tr!("a scene"),
+                    CardContent::Shot => tr!("a shot"),
+                    _ => tr!("no picture"),
                 };
                 say(ui, picture, text);
             }
@@ -312,6 +321,9 @@ impl Card {
                 let opens = match self.content {
                     CardContent::Scene => {
                         tr!("Opens it as a new scene; the example itself stays as it is")
+                    }
+                    CardContent::Shot => {
+                        tr!("Opens it as a new shot; the example itself stays as it is")
                     }
                     _ => tr!("Opens it as a new look; the example itself stays as it is"),
                 };
@@ -368,7 +380,10 @@ impl Card {
                     None => thumbs.ask(key, document, look, session, Shot::Whole, side),
                 }
             }
-            (CardContent::Scene, CardOrigin::File(path) | CardOrigin::Example(_, path)) => {
+            (
+                CardContent::Scene | CardContent::Shot,
+                CardOrigin::File(path) | CardOrigin::Example(_, path),
+            ) => {
                 thumbs.ask_for_scene(self.key, path, session, self.side);
             }
             (CardContent::Painting(_) | CardContent::Unreadable | CardContent::HeldBack, _) => {}

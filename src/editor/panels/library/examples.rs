@@ -1,4 +1,4 @@
-//! Looks and scenes that come with the program.
+//! Looks, scenes and shots that come with the program.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -7,7 +7,7 @@ use serde::Deserialize as _;
 use serde_json::Value as Json;
 
 use super::super::thumbs::ThumbStage;
-use crate::document::{Look, Scene};
+use crate::document::{Look, Scene, Shot};
 use crate::examples::{GALLERY, PREFIX, documents, subjects, text};
 
 /// Example that can be opened.
@@ -23,17 +23,20 @@ pub(crate) struct Example {
 pub(crate) enum ExampleContent {
     Look(Look),
     Scene(Scene),
+    Shot(Shot),
 }
 
 /// Example by its number; `None` where there is none.
 pub(crate) fn example(index: usize) -> Option<Example> {
     let name = documents().nth(index)?;
-    let (folder, file) = name.split_once('/')?;
+    let (folder, _) = name.split_once('/')?;
+    let (_, file) = name.rsplit_once('/')?;
     let stem = file.strip_suffix(".json")?;
     let path = PathBuf::from(format!("{PREFIX}{name}"));
     let text = text(&path)?;
     let content = match folder {
         "scenes" => ExampleContent::Scene(Scene::read(&text, stem).value?),
+        "shots" => ExampleContent::Shot(Shot::read(&text, stem).value?),
         _ => ExampleContent::Look(Look::read(&text, stem).value?),
     };
     Some(Example { stem, path, content })
@@ -95,6 +98,9 @@ mod tests {
                 }
                 ExampleContent::Scene(_) => {
                     assert!(!Scene::read(&text, example.stem).has_errors(), "{}", example.stem);
+                }
+                ExampleContent::Shot(_) => {
+                    assert!(!Shot::read(&text, example.stem).has_errors(), "{}", example.stem);
                 }
             }
         }

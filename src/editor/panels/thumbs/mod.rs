@@ -27,7 +27,7 @@ use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
 use crate::state::snapshot::{CachedPlanner, RenderSnapshot};
 use crate::state::worker::{BackgroundJobs, Worker};
-pub(crate) use scene::key_of_scene;
+pub(crate) use scene::{key_of_scene, key_of_shot};
 pub(crate) use stage::ThumbStage;
 
 /// Supersampling factor along each side: highlights are finer than the pixels of a thumbnail.
@@ -123,7 +123,7 @@ enum ThumbSubject {
     Staged(Box<RenderSnapshot>, ThumbStage),
     /// Snapshot as it is seen in its own view, at its time.
     View(Box<RenderSnapshot>),
-    /// Scene in a file, and the store of the window's pictures.
+    /// Scene or shot in a file, and the store of the window's pictures.
     Scene(PathBuf, AssetStore),
 }
 
@@ -311,7 +311,7 @@ impl Thumbs {
         self.request(key, origin, side, || ThumbSubject::View(Box::new(snapshot())));
     }
 
-    /// Requests a thumbnail of the scene in a file, as the scene's own camera sees it.
+    /// Requests a thumbnail of the scene or the shot in a file, as its own camera sees it.
     pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, session: &Session, side: f32) {
         self.request(
             key,

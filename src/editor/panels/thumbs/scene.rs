@@ -1,4 +1,5 @@
-//! Thumbnails of scenes, from their files: all of the scene as its own camera sees it, in a square.
+//! Thumbnails of scenes and shots, from their files: all of a scene as its own camera sees it, in a
+//! square, and the middle of a shot's picture in the middle of its frames.
 
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -11,7 +12,7 @@ use crate::document::{Camera, Document, Projection, Scene};
 use crate::files::Files;
 use crate::frame::{
     AssetStore, Assets, CullMode, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup,
-    SetupObject, View, scene_setup,
+    SetupObject, ShotStack, View, open, scene_setup,
 };
 use crate::library::Library;
 use crate::state::session::Session;
@@ -36,30 +37,61 @@ pub(crate) fn key_of_scene(path: &Path, scene: &Scene, session: &Session, side: 
     hasher.finish()
 }
 
-/// Frame plan of the scene in a file, read with the window's other pictures; `None` where there is
-/// nothing to draw, or too much. Data of files that no other picture shows is dropped with this
-/// one.
+/// Key of a shot's thumbnail: a hash of the file's content, and of what the shot changes.
+pub(crate) fn key_of_shot(path: &Path, session: &Session, side: f32) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (path, side.round() as u32).hash(&mut hasher);
+    if let Some(Ok(stack)) = ShotStack::load(&**session.assets.source(), path) {
+        let ShotStack { shots, scene_path, scene, .. } = &stack.value;
+        for file in shots {
+            (&file.path, file.shot.to_text()).hash(&mut hasher);
+        }
+        key_of_scene(scene_path, scene, session, side).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
+/// Frame plan of the scene or the shot in a file, read with the window's other pictures; `None`
+/// where there is nothing to draw, or too much. Data of files that no other picture shows is
+/// dropped with this one.
 pub(super) fn plan(path: &Path, options: &PlanOptions, assets: &AssetStore) -> Option<FramePlan> {
     let files = &**assets.source();
-    let Document::Scene(loaded) = Document::load(files, path) else { return None };
-    let scene = loaded.value?;
-    let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-    if bytes_of_meshes(&scene, &folder, files) > MOST_BYTES {
-        return None;
-    }
     let mut planner = Planner::new(Assets::of(assets)).culling(CullMode::Objects);
     planner.assets.draft();
-    // Missing files are left out, as in the window.
-    let mut setup = scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets).value;
+    let (setup, folder, time) = match Document::load(files, path) {
+        Document::Look(_) => return None,
+        Document::Scene(loaded) => {
+            let scene = loaded.value?;
+            let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+            if bytes_of_meshes(&scene, &folder, files) > MOST_BYTES {
+                return None;
+            }
+            // Missing files are left out, as in the window.
+            let assets = &mut planner.assets;
+            let mut setup = scene_setup(scene, &folder, &loaded.source, None, assets).value;
+            setup.scene.file_camera = None;
+            setup.scene.camera = fitted(&setup);
+            (setup, folder, options.time)
+        }
+        Document::Shot(loaded) => {
+            let stack = ShotStack::over(files, path, loaded).ok()?.value;
+            let folder = stack.scene_folder().to_path_buf();
+            if bytes_of_meshes(&stack.scene, &folder, files) > MOST_BYTES {
+                return None;
+            }
+            let [first, last] = stack.frames();
+            let time = stack.rate().time(first.midpoint(last));
+            (open(path, None, &mut planner.assets).ok()?.value, folder, time)
+        }
+    };
     let nodes = folder.join("nodes");
     let library = if files.is_folder(&nodes) {
         Library::built_in().with_project(files, &nodes)
     } else {
         Library::built_in().clone()
     };
-    setup.scene.file_camera = None;
-    setup.scene.camera = fitted(&setup);
-    Some(planner.plan(&setup, &library, &Live::Keyed, options).ok()?.value)
+    let options = PlanOptions { time, ..*options };
+    Some(planner.plan(&setup, &library, &Live::Keyed, &options).ok()?.value)
 }
 
 fn bytes_of_meshes(scene: &Scene, folder: &Path, files: &dyn Files) -> u64 {
@@ -96,7 +128,6 @@ fn fitted(setup: &Setup) -> Camera {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frame::open;
 
     #[test]
     fn all_of_a_scene_is_in_its_small_picture() {
@@ -125,6 +156,17 @@ mod tests {
         let reads = store.reads();
         assert!(plan(&path, &options, &store).is_some() && !shown.draws.is_empty());
         assert!(reads > 0 && store.reads() == reads, "{} after {reads}", store.reads());
+    }
+
+    #[test]
+    fn an_example_shot_has_a_picture_of_its_own() {
+        let options = PlanOptions { size: [32; 2], samples: 1, time: 0.0 };
+        let store = AssetStore::new();
+        for name in ["evening-010", "evening", "nightfall/nightfall-010-graded"] {
+            let path = format!("{}shots/{name}.json", crate::examples::PREFIX);
+            let shot = plan(Path::new(&path), &options, &store).unwrap();
+            assert!(!shot.draws.is_empty(), "{name}");
+        }
     }
 
     #[test]

@@ -1,12 +1,16 @@
 //! Pictures of parts on their way from folder to folder. What lies with a look, or with a part, is
 //! its own, and is copied with it; what lies elsewhere is shared with others, and is linked.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use crate::catalog::Catalog;
-use crate::document::{Look, Value};
+use chiaro_locale::tr;
+
+use crate::catalog::{Catalog, NodeKind};
+use crate::document::{Edit, Graph, Look, Node, Target, Value};
 use crate::files::{Disk, Files as _, relative, shortened};
+use crate::frame::UNSAVED_HCBTF;
+use crate::ids::PortName;
 use crate::library::Type;
 use crate::state::pictures::{CarriedPicture, free_name, is_within};
 
@@ -36,33 +40,42 @@ pub(crate) struct MovedPictures {
     pub(crate) linked: Vec<String>,
 }
 
+impl MovedPictures {
+    /// Words on the files, for a message.
+    pub(crate) fn told(&self) -> Vec<String> {
+        let mut told = Vec::new();
+        if !self.along.is_empty() {
+            told.push(tr!("copied beside it: {files}", files = self.along.join(", ")));
+        }
+        if !self.linked.is_empty() {
+            told.push(tr!("linked, not copied: {files}", files = self.linked.join(", ")));
+        }
+        told
+    }
+}
+
 impl PictureRoute<'_> {
     /// Names a part's pictures from the new folder. Nothing is written.
     pub(crate) fn rename(self, part: &mut Look, catalog: &Catalog) -> MovedPictures {
         let mut moved = MovedPictures::default();
-        let mut known: HashMap<PathBuf, String> = HashMap::new();
         let mut left = MOST_BYTES;
-        let groups = part.definitions.values_mut().map(|definition| &mut definition.graph);
-        let graphs = std::iter::once(&mut part.graph).chain(groups);
-        for node in graphs.flat_map(|graph| graph.nodes.values_mut()) {
-            let Some(kind) = catalog.of(node).cloned() else { continue };
-            for (port, value) in &mut node.values {
-                let input = kind.input(port.as_str()).map(|index| &kind.inputs[index].ty);
-                let is_file = matches!(input, Some(Type::Image | Type::Hcbtf));
-                let Value::Text(path) = value else { continue };
-                let is_inside =
-                    path.is_empty() || path.contains("example:") || path.starts_with("mesh:");
-                if !is_file || is_inside {
-                    continue;
-                }
-                let whole = shortened(&self.from.join(&*path));
-                let name = known
-                    .entry(whole)
-                    .or_insert_with_key(|whole| self.name(whole, &mut left, &mut moved));
-                path.clone_from(name);
-            }
-        }
+        let mut known: HashMap<PathBuf, String> = HashMap::new();
+        each_file(part, catalog, &mut |path| {
+            let whole = shortened(&self.from.join(&*path));
+            let name = known
+                .entry(whole)
+                .or_insert_with_key(|whole| self.name(whole, &mut left, &mut moved));
+            path.clone_from(name);
+        });
         moved
+    }
+
+    /// Names a file from the new folder. A path from the root leads to the same file from anywhere,
+    /// and stays.
+    pub(crate) fn relink(self, path: &mut String) {
+        if let Some(folder) = self.to.filter(|_| Path::new(&*path).is_relative()) {
+            *path = relative(&shortened(folder), &shortened(&self.from.join(&*path)));
+        }
     }
 
     /// Name of a picture from the new folder.
@@ -96,6 +109,118 @@ impl PictureRoute<'_> {
         *left = left.saturating_sub(bytes.len() as u64);
         moved.copied.push(CarriedPicture { name: name.clone(), bytes });
         Some(name)
+    }
+}
+
+/// Calls `change` for every path of a file in a look: of its nodes, of those in its groups, and of
+/// its keys. Names of examples, of meshes' own images and of nothing are no paths.
+pub(crate) fn each_file(look: &mut Look, catalog: &Catalog, change: &mut dyn FnMut(&mut String)) {
+    let of_time: Vec<bool> =
+        look.time_keys.iter().map(|keys| is_file(look, catalog, &keys.target)).collect();
+    let targets = look.direction_keys.iter().flat_map(|keys| &keys.keys);
+    let targets = targets.flat_map(|key| key.values.keys());
+    let of_directions: HashSet<Target> =
+        targets.filter(|target| is_file(look, catalog, target)).cloned().collect();
+    let groups = look.definitions.values_mut().map(|definition| &mut definition.graph);
+    for graph in std::iter::once(&mut look.graph).chain(groups) {
+        each_file_of(graph, catalog, change);
+    }
+    for keys in look.time_keys.iter_mut().zip(of_time).filter_map(|(keys, is)| is.then_some(keys)) {
+        keys.keys.iter_mut().for_each(|key| change_path(&mut key.value, change));
+    }
+    for (target, value) in look
+        .direction_keys
+        .iter_mut()
+        .flat_map(|keys| &mut keys.keys)
+        .flat_map(|key| &mut key.values)
+    {
+        if of_directions.contains(target) {
+            change_path(value, change);
+        }
+    }
+}
+
+/// Calls `change` for every path of a file in a graph.
+fn each_file_of(graph: &mut Graph, catalog: &Catalog, change: &mut dyn FnMut(&mut String)) {
+    graph.nodes.values_mut().for_each(|node| each_file_in(node, catalog, change));
+}
+
+/// Calls `change` for every path of a file in a node.
+fn each_file_in(node: &mut Node, catalog: &Catalog, change: &mut dyn FnMut(&mut String)) {
+    let Some(kind) = catalog.of(node).cloned() else { return };
+    for (port, value) in &mut node.values {
+        if takes_file(&kind, port) {
+            change_path(value, change);
+        }
+    }
+}
+
+/// Calls `change` for every path of a file in an edit of a look, also one of its past.
+/// `is_path` says whether a text is a path where the look no longer has the node that it is for.
+pub(crate) fn each_file_in_edit(
+    edit: &mut Edit,
+    (look, catalog): (&Look, &Catalog),
+    is_path: &dyn Fn(&str) -> bool,
+    change: &mut dyn FnMut(&mut String),
+) {
+    match edit {
+        Edit::Group { edits } => {
+            for edit in edits {
+                each_file_in_edit(edit, (look, catalog), is_path, change);
+            }
+        }
+        Edit::Replace { look } => each_file(look, catalog, change),
+        Edit::AddNode { node, .. } => each_file_in(node, catalog, change),
+        Edit::AddDefinition { definition, .. } => {
+            each_file_of(&mut definition.graph, catalog, change);
+        }
+        Edit::SetValue { graph, id, port, value, .. } => {
+            let node = look.graph_of(graph).and_then(|graph| graph.nodes.get(id.as_str()));
+            let is_file = match node.and_then(|node| catalog.of(node)) {
+                Some(kind) => takes_file(kind, port),
+                None => matches!(value, Value::Text(text) if is_path(text)),
+            };
+            if is_file {
+                change_path(value, change);
+            }
+        }
+        Edit::AddTimeKeys { keys, .. } | Edit::SetTimeKeys { keys, .. } => {
+            if is_file(look, catalog, &keys.target) {
+                keys.keys.iter_mut().for_each(|key| change_path(&mut key.value, change));
+            }
+        }
+        Edit::AddDirectionKeys { keys, .. } | Edit::SetDirectionKeys { keys, .. } => {
+            for (target, value) in keys.keys.iter_mut().flat_map(|key| &mut key.values) {
+                if is_file(look, catalog, target) {
+                    change_path(value, change);
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// True if a target of a look is the path of a file.
+pub(crate) fn is_file(look: &Look, catalog: &Catalog, target: &Target) -> bool {
+    let Target::Input { node, port } = target else { return false };
+    let kind = look.find(node).and_then(|found| catalog.of(found.node));
+    kind.is_some_and(|kind| takes_file(kind, port))
+}
+
+fn takes_file(kind: &NodeKind, port: &PortName) -> bool {
+    let ty = kind.input(port.as_str()).map(|index| &kind.inputs[index].ty);
+    matches!(ty, Some(Type::Image | Type::Hcbtf))
+}
+
+/// Calls `change` for a value that is the path of a file.
+pub(crate) fn change_path(value: &mut Value, change: &mut dyn FnMut(&mut String)) {
+    let Value::Text(path) = value else { return };
+    let is_inside = path.is_empty()
+        || path.contains("example:")
+        || path.starts_with("mesh:")
+        || *path == UNSAVED_HCBTF;
+    if !is_inside {
+        change(path);
     }
 }
 

@@ -11,6 +11,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire, grouping};
 use crate::ids::{DefinitionId, LightId, NodeId, PortName, make_slug};
 use crate::library::{Library, Type};
+use crate::state::arrangement::place_nodes;
 use crate::state::problem_text::sentence;
 use crate::state::reading::of_library;
 use crate::state::stack::BELOW;
@@ -93,7 +94,7 @@ fn between(
 ) -> Result<Placement, String> {
     // Groups of the part may have other names in the trial.
     let own = to.catalog_of(part);
-    let lit = LitPart::new(to.look, part, &own);
+    let lit = LitPart::new(to.look, &placed(to, part), &own);
     let part = &lit.look;
     let pasted = paste(to.look, &GraphId::Look, part, None)?;
     let mut trial = to.look.clone();
@@ -144,7 +145,7 @@ pub(crate) fn nodes(
     (name, part): (&str, &Look),
     at: [f64; 2],
 ) -> Result<Placement, String> {
-    let part = &with_node_of_group(part, name);
+    let part = &with_node_of_group(&placed(to, part), name);
     let lit = LitPart::new(to.look, part, &to.catalog_of(part));
     let pasted = paste(to.look, graph, &lit.look, Some(at))?;
     let told = tr!("\"{name}\" is copied into this look") + &along(to, &lit);
@@ -164,9 +165,14 @@ pub(crate) fn of_text(
     at: Option<[f64; 2]>,
 ) -> Result<(grouping::PastedFragment, String), Box<Diagnostic>> {
     let part = text.trim_start().starts_with('{').then(|| Look::read(text, "clipboard").value);
-    let Some(part) = part.flatten().filter(|part| !part.lights.is_empty()) else {
+    let Some(mut part) = part.flatten() else {
         return Ok((grouping::paste_text(to.look, graph, text, at)?, String::new()));
     };
+    let placed = place_nodes(&mut part, to.library).then(|| part.to_text());
+    if part.lights.is_empty() {
+        let text = placed.as_deref().unwrap_or(text);
+        return Ok((grouping::paste_text(to.look, graph, text, at)?, String::new()));
+    }
     let lit = LitPart::new(to.look, &part, &to.catalog_of(&part));
     let pasted = grouping::paste_text(to.look, graph, &lit.look.to_text(), at)?;
     let told = match lit.brought.is_empty() {
@@ -174,6 +180,13 @@ pub(crate) fn of_text(
         false => tr!("Pasted").to_owned() + &lit.told(),
     };
     Ok((pasted, told))
+}
+
+/// A part whose nodes have places.
+fn placed(to: Recipient<'_>, part: &Look) -> Look {
+    let mut part = part.clone();
+    place_nodes(&mut part, to.library);
+    part
 }
 
 /// A part that holds groups alone, with a node of the last one, which uses the others.

@@ -306,12 +306,7 @@ pub(super) fn write(
     }
     write_atomic(path, look.to_text().as_bytes()).map_err(|problem| problem.message)?;
     let mut told = vec![draft.kind.saved(name, path)];
-    if !moved.along.is_empty() {
-        told.push(tr!("copied beside it: {files}", files = moved.along.join(", ")));
-    }
-    if !moved.linked.is_empty() {
-        told.push(tr!("linked, not copied: {files}", files = moved.linked.join(", ")));
-    }
+    told.extend(moved.told());
     Ok(told)
 }
 

@@ -312,3 +312,21 @@ fn pasted_nodes_bring_the_light_that_does_other_work_than_the_looks_own() {
     assert_eq!(told, "Pasted · with its own light back_2");
     assert!(placing::of_text(to, &GraphId::Look, "some words", None).is_err());
 }
+
+#[test]
+fn pasted_nodes_without_places_do_not_lie_on_one_another() {
+    let (look, catalog) = read(r#"{"nodes": [{"id": "end", "kind": "output"}]}"#);
+    let to = Recipient { look: &look, catalog: &catalog, library: Library::built_in() };
+    let places = |text: &str| {
+        let (pasted, _) = placing::of_text(to, &GraphId::Look, text, Some([0.0; 2])).unwrap();
+        let mut after = look.clone();
+        after.apply(pasted.edit).unwrap();
+        ["base", "over"].map(|id| after.graph.nodes[id].position)
+    };
+    let nodes = r#""nodes": [{"id": "base", "kind": "base"}, {"id": "over", "kind": "blend"}],
+        "wires": [{"from": "base", "to": "over.below"}]"#;
+    for lights in ["", r#""lights": {"key": {"direction": [0, 0, 1]}},"#] {
+        let [base, over] = places(&format!("{{{lights} {nodes}}}"));
+        assert!(base[0] + 184.0 < over[0], "{base:?} {over:?}");
+    }
+}

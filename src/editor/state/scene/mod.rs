@@ -1,6 +1,7 @@
 //! Scene around the open look. A scene has a past, a file and a journal of its own, as
 //! the look has; the looks of objects that do not wear the open one come from their files.
 
+pub(crate) mod carried;
 mod file_motion;
 mod files;
 mod looks;

@@ -35,6 +35,9 @@ pub(crate) fn real(path: &Path) -> PathBuf {
 }
 
 fn absolute(path: &Path) -> PathBuf {
+    if let Some(example) = examples::canonical(path) {
+        return example;
+    }
     clean(&crate::state::paths::absolute(path))
 }
 
@@ -44,7 +47,7 @@ pub(crate) fn folder_of(file: &Path) -> PathBuf {
 }
 
 /// Renames every file of a scene, except looks that are no files and examples.
-fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
+pub(super) fn rename(scene: &mut Scene, name: &dyn Fn(&str) -> String) {
     for object in scene.objects.values_mut() {
         if !object.mesh.starts_with(SHAPE_PREFIX) {
             object.mesh = name(&object.mesh);
@@ -59,6 +62,9 @@ impl OpenScene {
     /// The file that a name of the scene means.
     pub(crate) fn path_of(&self, name: &str) -> PathBuf {
         let path = self.base.join(name);
+        if let Some(example) = examples::canonical(&path) {
+            return example;
+        }
         let cleaned = clean(&path);
         // A link to a folder makes `..` lead elsewhere than it reads.
         if real(&cleaned) == real(&path) { cleaned } else { path }

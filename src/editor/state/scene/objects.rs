@@ -185,7 +185,11 @@ impl OpenScene {
     }
 
     /// Renames the open look on every object that wears it; `None` where no object does.
-    pub(crate) fn rename_open(&self, name: &str) -> Option<SceneEdit> {
+    pub(crate) fn rename_open(
+        &self,
+        name: &str,
+        change: &dyn Fn(&mut Object),
+    ) -> Option<SceneEdit> {
         let renamed = |(id, object): (&ObjectId, &Object)| {
             let mut object = object.clone();
             object
@@ -193,6 +197,7 @@ impl OpenScene {
                 .values_mut()
                 .filter(|worn| self.is_open(worn))
                 .for_each(|worn| name.clone_into(worn));
+            change(&mut object);
             SceneEdit::SetObject { id: id.clone(), object: Box::new(object) }
         };
         let wear = self.scene().objects.iter().filter(|(_, object)| self.wears_open(object));

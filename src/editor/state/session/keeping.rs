@@ -4,14 +4,17 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::saving::OwnFiles;
 use super::shelf::IN_JOURNAL;
 use super::{NEW_NAME, Session};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::frame::{SHAPE_PREFIX, UNSAVED_HCBTF};
+use crate::state::arrangement;
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
+use crate::state::parts::pictures::MovedPictures;
 use crate::state::paths::absolute;
 use crate::state::reading::spoken;
 use crate::state::scene::OpenScene;
@@ -154,6 +157,8 @@ impl Session {
         }
         self.replace(found.history.document().clone(), source, path);
         self.look.history = found.history;
+        // Work that an older program kept may have no places.
+        self.place_nodes();
         self.take_back_shelf(&found.about.window);
         self.recall_times();
         self.look.is_partial = found.about.is_partial;
@@ -183,7 +188,8 @@ impl Session {
         self.revisions.problems.advance();
         let has_errors = loaded.has_errors();
         self.look.load_problems = loaded.diagnostics;
-        let Some(look) = loaded.value.filter(|_| !has_errors) else { return false };
+        let Some(mut look) = loaded.value.filter(|_| !has_errors) else { return false };
+        arrangement::place_nodes(&mut look, &self.project.library);
         if look.to_text() != self.look().to_text()
             && let Err(problem) = self.apply(Edit::Replace { look: Box::new(look) }, None)
         {
@@ -195,13 +201,17 @@ impl Session {
         true
     }
 
-    /// Saves to a file, as [`save_as`](Self::save_as) does. A look that has no file, and that
+    /// Saves to a file, as [`save_with`](Self::save_with) does. A look that has no file, and that
     /// nobody has named, takes the name of the file in words once it is written. No step is made:
     /// undo takes back what was done by hand.
     ///
     /// # Errors
-    /// As [`save_as`](Self::save_as); the look keeps its name then.
-    pub(crate) fn save_named(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+    /// As [`save_with`](Self::save_with); the look keeps its name then.
+    pub(crate) fn save_named(
+        &mut self,
+        path: &Path,
+        own: OwnFiles,
+    ) -> Result<MovedPictures, Box<Diagnostic>> {
         let is_unnamed = ["", NEW_NAME.english()].contains(&self.look().name.as_str());
         let stem = path.file_stem().filter(|_| is_unnamed && self.path().is_none());
         let before = stem.map(|stem| {
@@ -209,7 +219,7 @@ impl Session {
             self.call_look(spoken(&stem.to_string_lossy().replace('-', " ")));
             before
         });
-        let saved = self.save_as(path);
+        let saved = self.save_with(path, own);
         if let Some(before) = before.filter(|_| saved.is_err()) {
             self.call_look(before);
         }
@@ -270,13 +280,13 @@ mod tests {
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
         let folder = tempfile::tempdir().unwrap();
         let nowhere = folder.path().join("none/night-fall.json");
-        session.save_named(&nowhere).unwrap_err();
+        session.save_named(&nowhere, OwnFiles::Linked).unwrap_err();
         assert_eq!(session.look().name, NEW_NAME.english(), "nothing was written");
         let file = folder.path().join("warm-rim.json");
-        session.save_named(&file).unwrap();
+        session.save_named(&file, OwnFiles::Linked).unwrap();
         assert_eq!(session.look().name, "Warm rim");
         assert!(std::fs::read_to_string(&file).unwrap().contains("\"Warm rim\""));
-        session.save_named(&folder.path().join("cold-rim.json")).unwrap();
+        session.save_named(&folder.path().join("cold-rim.json"), OwnFiles::Linked).unwrap();
         assert_eq!(session.look().name, "Warm rim", "it has a name");
     }
 }

@@ -165,12 +165,13 @@ impl Session {
 mod tests {
     use super::*;
     use crate::library::Library;
+    use crate::state::session::saving::OwnFiles;
     use crate::state::stack::tree::LayerTree;
 
     /// A session with a look in a file, and the look's uppermost layer.
     fn saved(file: &Path) -> (Session, NodeId) {
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
-        session.save_named(file).unwrap();
+        session.save_named(file, OwnFiles::Linked).unwrap();
         let tree = LayerTree::of(session.look(), &session.project.catalog);
         let layer = tree.rows(|_| false)[0].id.clone();
         (session, layer)

@@ -9,6 +9,7 @@ mod nodes;
 pub(crate) mod painting;
 mod parts;
 mod project;
+pub(crate) mod saving;
 mod scene;
 mod shading;
 mod sharing;
@@ -25,13 +26,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chiaro_locale::{Text, text, tr};
+use glam::DQuat;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, DocumentRevision, Edit, Graph, History, Look, SourceMap};
-use crate::files::{Disk, SharedFiles, write_atomic};
+use crate::examples;
+use crate::files::{Disk, SharedFiles};
 use crate::frame::AssetStore;
 use crate::ids::{LightId, NodeId};
 use crate::library::Library;
+use crate::state::arrangement;
 use crate::state::compiling::{self};
 use crate::state::crashes::CrashLog;
 use crate::state::display::PictureDisplay;
@@ -39,7 +43,6 @@ use crate::state::document::{OpenDocument, TextFile};
 use crate::state::keying::{KeyEvaluation, KeyPlace, KeyedLook, Owner};
 use crate::state::masks::MaskSteps;
 use crate::state::orbit::Orbit;
-use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
 use crate::state::pictures::OwnPictures;
 use crate::state::reading::LookWithLibrary;
@@ -186,61 +189,24 @@ impl Session {
         let diagnostics = loaded.diagnostics;
         let Some(look) = loaded.value else { return Err(diagnostics) };
         self.leave_journal(false);
+        let view = self.open_scene.is_none().then(|| self.view.orbit.clone());
         self.leave_scene_unless_worn(Some(path));
         self.use_project(path);
-        self.replace(look, loaded.source, Some(path.to_owned()));
+        // An example alone is the beginning of a look that no file holds yet.
+        let is_example = self.open_scene.is_none() && examples::file(path).is_some();
+        self.replace(look, loaded.source, (!is_example).then(|| path.to_owned()));
+        // The same picture goes on with another look on the mesh: camera and backdrop are the
+        // window's. The lights are as the look was made for.
+        if let Some(view) = view {
+            self.view.orbit = Orbit { illumination: DQuat::IDENTITY, ..view };
+        }
         self.look.is_partial = is_partial;
         self.look.load_problems = diagnostics;
         self.revisions.problems.advance();
         Ok(())
     }
 
-    /// Saves to a file, which is the look's own from then on.
-    ///
-    /// # Errors
-    /// A diagnostic with the reason; the old file is then unchanged.
-    pub fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
-        if self.shot().is_some() {
-            // The look of the window is what the shot makes of its file.
-            return self.save_shot_as(path);
-        }
-        let is_own = self.look.check_saving(path)?;
-        let names = if is_own { None } else { self.names_of_painting(path) };
-        let text = if is_own {
-            self.look.text_of(self.look())
-        } else {
-            let named = names
-                .as_ref()
-                .and_then(|(from, to)| look::renamed(self.look(), &self.project.catalog, from, to));
-            named.as_ref().unwrap_or(self.look()).to_text()
-        };
-        write_atomic(path, text.as_bytes())?;
-        self.look.text_was_written(path, &text);
-        if let Some((from, to)) = names {
-            self.rename_painting(&from, &to);
-        }
-        self.look.history.mark_saved();
-        self.pictures.settle();
-        if !is_own {
-            // The masks are the old file's, too: what undo wrote there would change that look.
-            self.masks = MaskSteps::default();
-        }
-        self.revisions.problems.advance();
-        if !is_own && self.open_scene.is_some() {
-            // While the scene still knows the look by its old name.
-            self.wear_saved(path);
-        }
-        if !is_own {
-            // Another folder is another project, with nodes of its own.
-            self.reload_library();
-        }
-        // Under another name the look takes its snapshots along.
-        self.shelf.write_beside(path);
-        self.saved();
-        Ok(())
-    }
-
-    fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
+    fn replace(&mut self, mut look: Look, source: SourceMap, path: Option<PathBuf>) {
         self.revisions.document.advance();
         self.set_preview(None);
         self.sketchbook.put_aside(&self.look);
@@ -250,6 +216,7 @@ impl Session {
         self.look.file = TextFile::new(source);
         self.look.path = path;
         self.look_was_opened(&look);
+        arrangement::place_nodes(&mut look, &self.project.library);
         self.look.history = History::new(look);
         self.sketchbook.find(&self.look);
         self.open_shelf();
@@ -488,10 +455,13 @@ impl Session {
     /// once.
     pub(super) fn apply_at(
         &mut self,
-        edit: Edit,
+        mut edit: Edit,
         gesture: Option<GestureId>,
         time: StepTime,
     ) -> Result<(), Box<Diagnostic>> {
+        if let Edit::Replace { look } = &mut edit {
+            arrangement::place_nodes(look, &self.project.library);
+        }
         if self.shot().is_some() {
             return self.apply_look_to_shot(edit, gesture);
         }
@@ -624,3 +594,45 @@ const NEW_LOOK: &str = r##"{
     {"from": "diffuse", "to": "output.color"}
   ]
 }"##;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Projection;
+
+    #[test]
+    fn the_windows_view_goes_on_with_another_look() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            path
+        };
+        let [one, other] = ["one.json", "other.json"].map(|name| file(name, NEW_LOOK));
+        let scene = file(
+            "scene.json",
+            r#"{"chiaro": "scene", "objects": [
+                {"id": "ball", "mesh": "shape:sphere", "looks": "one.json"}],
+                "camera": {"eye": [5, 0, 0]}}"#,
+        );
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&one).unwrap();
+        let orbit = &mut session.view.orbit;
+        orbit.yaw += std::f64::consts::PI;
+        orbit.projection = Projection::Orthographic;
+        orbit.backdrop = Some([1.0, 0.0, 0.0, 1.0]);
+        orbit.illumination = DQuat::from_rotation_y(0.5);
+        let turned = orbit.clone();
+        session.open(&other).unwrap();
+        let kept = Orbit { illumination: DQuat::IDENTITY, ..turned };
+        assert_eq!(session.view.orbit, kept, "the lights are as the look was made for");
+
+        // Another picture has another view.
+        session.open(&scene).unwrap();
+        session.open(&one).unwrap();
+        assert!(session.open_scene().is_some());
+        session.open(&other).unwrap();
+        assert!(session.open_scene().is_none());
+        assert_eq!((session.view.orbit.yaw, session.view.orbit.backdrop), (0.0, None));
+    }
+}

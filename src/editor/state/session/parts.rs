@@ -13,6 +13,7 @@ use crate::document::{Look, Tier};
 use crate::files::SharedFiles;
 use crate::ids::NodePath;
 use crate::library::Library;
+use crate::state::arrangement;
 use crate::state::compiling::Compiler;
 use crate::state::crashes::{CrashLog, Suspect};
 use crate::state::document::OpenDocument;
@@ -60,7 +61,8 @@ impl Project {
     }
 
     /// Takes other nodes. The problems of their files are still to be placed.
-    pub(crate) fn set_library(&mut self, library: Library) {
+    pub(crate) fn set_library(&mut self, mut library: Library) {
+        arrangement::place_in_groups(&mut library);
         self.library = Arc::new(library);
         self.catalog = Catalog::new(&self.library);
     }

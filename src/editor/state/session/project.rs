@@ -8,8 +8,10 @@ use super::Session;
 use super::nodes::NodesAnswer;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
+use crate::document::{Graph, Look};
 use crate::ids::NodePath;
 use crate::library::Library;
+use crate::state::arrangement;
 
 impl Session {
     /// Leaves the project of a document that has no folder any more: only the nodes that Chiaro
@@ -129,10 +131,40 @@ impl Session {
             self.project.catalog = Catalog::new(&self.project.library);
         }
         self.project.sync(self.look.document());
+        self.place_nodes_again();
         self.place_library_problems();
         self.compilation.shaders.structure_changed();
         // Probes and comparisons hold for the previous nodes.
         self.files_changed();
+    }
+
+    /// Places the nodes of the look that have no place. Nothing is changed by that, and it is no
+    /// step.
+    pub(super) fn place_nodes(&mut self) {
+        let mut look = self.look().clone();
+        if arrangement::place_nodes_of(&mut look, &self.project.catalog) {
+            self.look.history.amend(look, |_| ());
+        }
+    }
+
+    /// Places the nodes of a look that is as its file has it anew: nodes of the project, which were
+    /// read after the look, have other heights than the stand-ins for them.
+    fn place_nodes_again(&mut self) {
+        if self.shot().is_some() || self.is_look_dirty() || self.look.history.steps() != (0, 0) {
+            return;
+        }
+        let Some(read) = Look::read(self.look.file.source.text(), "").value else { return };
+        let mut placed = self.look().clone();
+        take_places(&mut placed.graph, &read.graph);
+        for (id, definition) in &mut placed.definitions {
+            if let Some(read) = read.definitions.get(id) {
+                take_places(&mut definition.graph, &read.graph);
+            }
+        }
+        arrangement::place_nodes_of(&mut placed, &self.project.catalog);
+        if placed != *self.look() {
+            self.look.history.amend(placed, |_| ());
+        }
     }
 
     /// Places each problem of a node file at a node of that kind, where the look has one.
@@ -146,6 +178,15 @@ impl Session {
         });
         self.project.problems = placed.collect();
         self.revisions.problems.advance();
+    }
+}
+
+/// Takes the places that the nodes have in another graph.
+fn take_places(graph: &mut Graph, of: &Graph) {
+    for (id, node) in &mut graph.nodes {
+        if let Some(read) = of.nodes.get(id) {
+            node.position = read.position;
+        }
     }
 }
 
@@ -185,5 +226,67 @@ mod tests {
             session.project.library.nodes.contains_key("half")
                 && !session.project.problems.is_empty()
         );
+    }
+
+    const PLAIN: &str = r#"{"nodes": [{"id": "base", "kind": "base"},
+        {"id": "over", "kind": "blend"}, {"id": "end", "kind": "output"}],
+        "wires": [{"from": "base", "to": "over.below"}, {"from": "over", "to": "end.color"}]}"#;
+
+    fn places(session: &Session) -> Vec<[f64; 2]> {
+        session.look().graph.nodes.values().map(|node| node.position).collect()
+    }
+
+    #[test]
+    fn a_look_without_places_opens_laid_out_and_unchanged_wherever_it_comes_from() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            path
+        };
+        let look = file("look.json", PLAIN);
+        let scene = file(
+            "scene.json",
+            r#"{"chiaro": "scene", "objects": [
+                {"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}]}"#,
+        );
+        let shot = file("shot.json", r#"{"chiaro": "shot", "scene": "scene.json"}"#);
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&look).unwrap();
+        let alone = places(&session);
+        assert!(alone[0][0] < alone[1][0] && alone[1][0] < alone[2][0], "{alone:?}");
+        assert!(!session.is_dirty() && session.look.history.steps() == (0, 0));
+        for around in [&scene, &shot] {
+            session.open(around).unwrap();
+            session.open(&look).unwrap();
+            assert!(session.open_scene().is_some());
+            assert_eq!(places(&session), alone, "{}", around.display());
+            assert!(!session.is_dirty(), "{}", around.display());
+        }
+        assert_eq!(std::fs::read_to_string(&look).unwrap(), PLAIN, "nothing is written");
+
+        // Without the shot the look can be saved, and its file has the places then.
+        session.open(&scene).unwrap();
+        session.open(&look).unwrap();
+        session.save_as(&look).unwrap();
+        let saved = Look::read(&std::fs::read_to_string(&look).unwrap(), "look").value.unwrap();
+        assert_eq!(saved, *session.look());
+        assert_eq!(saved.graph.nodes["over"].position, alone[1]);
+    }
+
+    #[test]
+    fn another_programs_version_without_places_is_no_change_but_for_what_it_says() {
+        let folder = tempfile::tempdir().unwrap();
+        let look = folder.path().join("look.json");
+        std::fs::write(&look, PLAIN).unwrap();
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&look).unwrap();
+        let before = places(&session);
+        let spaced = PLAIN.replace("}, ", "},  ");
+        assert!(session.reload(&spaced));
+        assert_eq!(session.look.history.steps(), (0, 0), "it means the same");
+        let named = PLAIN.replace("{\"nodes\"", "{\"name\": \"Told\", \"nodes\"");
+        assert!(session.reload(&named));
+        assert_eq!((session.look().name.as_str(), places(&session)), ("Told", before));
     }
 }

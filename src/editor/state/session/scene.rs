@@ -6,7 +6,7 @@ use chiaro_locale::tr;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::{DocumentRevision, LoadedDocument, Scene, SceneEdit};
+use crate::document::{DocumentRevision, LoadedDocument, Object, Scene, SceneEdit};
 use crate::examples;
 use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::ids::ObjectId;
@@ -129,6 +129,8 @@ impl Session {
     pub(crate) fn leave_scene(&mut self, in_peace: bool) {
         if let Some(mut open_scene) = self.open_scene.take() {
             open_scene.leave_journal(in_peace);
+            // Without a shot over it an example is the beginning of a look that no file holds yet.
+            self.look.path = self.look.path.take().filter(|path| examples::file(path).is_none());
             self.keep_solo();
             self.revisions.picture.advance();
             self.revisions.problems.advance();
@@ -253,12 +255,13 @@ impl Session {
         Ok(())
     }
 
-    /// Renames the open look in the scene after it was saved to another file.
-    pub(super) fn wear_saved(&mut self, path: &Path) {
+    /// Renames the open look in the scene after it was saved to another file; `change` does what
+    /// else the objects need that wear it.
+    pub(super) fn wear_saved(&mut self, path: &Path, change: &dyn Fn(&mut Object)) {
         let edit = self
             .open_scene
             .as_ref()
-            .and_then(|open_scene| open_scene.rename_open(&open_scene.name_of(path)));
+            .and_then(|open_scene| open_scene.rename_open(&open_scene.name_of(path), change));
         if let Some(edit) = edit {
             // An object that exists can be changed; where that fails, the scene stays unchanged.
             let _ = self.apply_to_scene(edit, None);

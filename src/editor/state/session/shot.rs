@@ -16,6 +16,7 @@ use crate::document::{
 use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::film::{color_space, color_text, value_before};
 use crate::frame::{Assets, ResolvedShot, SetupLook, ValueChange};
+use crate::state::arrangement;
 use crate::state::document::journal::VIEW;
 use crate::state::keying::Owner;
 use crate::state::revision::GestureId;
@@ -138,6 +139,10 @@ impl Session {
         let path = self.look.path.as_deref();
         let revision = self.revisions.picture;
         let look = open_scene.resolve(path, &self.project.library, &*files, revision);
+        let look = look.map(|mut look| {
+            arrangement::place_nodes_of(&mut look, &self.project.catalog);
+            look
+        });
         if let Some(look) = look.filter(|look| look != self.look.document()) {
             self.look.history.amend(look, |_| {});
         }

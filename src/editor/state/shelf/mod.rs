@@ -8,7 +8,7 @@
 mod file;
 mod likeness;
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -231,6 +231,21 @@ impl SnapshotShelf {
     /// Labels of all steps: the done ones, then the undone ones, the next to redo first.
     pub(crate) fn labels(&self) -> impl Iterator<Item = &str> {
         self.done.iter().chain(self.undone.iter().rev()).map(|(label, _)| label.as_str())
+    }
+
+    /// Changes the looks of all snapshots, also of those that undo brings back. This is no step.
+    pub(crate) fn amend(&mut self, change: impl Fn(&mut Look)) {
+        let mut changed: HashMap<*const LookSnapshot, Arc<LookSnapshot>> = HashMap::new();
+        let past = self.done.iter_mut().chain(&mut self.undone).map(|(_, list)| list);
+        for snapshot in std::iter::once(&mut self.list).chain(past).flatten() {
+            // Snapshots are shared by the steps, and those before the change keep their places.
+            let of = changed.entry(Arc::as_ptr(snapshot)).or_insert_with(|| {
+                let mut after = (**snapshot).clone();
+                change(Arc::make_mut(&mut after.look));
+                Arc::new(after)
+            });
+            *snapshot = of.clone();
+        }
     }
 
     /// Writes the snapshots beside a look, where they are not there yet as they are. What another

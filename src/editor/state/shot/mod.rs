@@ -18,6 +18,7 @@ use crate::document::{
     Camera, Document, FrameRate, History, LoadedDocument, Look, Override, Scene, Shot, ShotEdit,
     ShotKey, SourceMap, TimeRange, value_address,
 };
+use crate::examples;
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::files::{Files, write_atomic};
 use crate::frame::{ResolvedShot, Setup, SetupLook, ShotResolver, ShotStack, ValueChange};
@@ -118,7 +119,8 @@ impl ShotAddress {
 }
 
 impl OpenShot {
-    /// The shot that was read from a file, with all that lies under it, and its scene.
+    /// The shot that was read from a file, with all that lies under it, and its scene. An example
+    /// is a shot that no file holds yet.
     ///
     /// # Errors
     /// Problems that keep the shot, or what it changes, from being read.
@@ -129,9 +131,14 @@ impl OpenShot {
     ) -> Result<Self, Vec<Diagnostic>> {
         let file = TextFile::new(loaded.source.clone());
         let own = loaded.diagnostics.len();
+        let example = examples::canonical(path);
+        let path = example.as_deref().unwrap_or(path);
         let (stack, mut problems) = ShotStack::over(files, path, loaded)?.into_parts();
         let history = History::new(stack.shots[0].shot.clone());
         let mut shot = Self::with(history, file, path, stack);
+        if example.is_some() {
+            shot.document.path = None;
+        }
         shot.beneath = problems.split_off(own);
         shot.document.load_problems = problems;
         Ok(shot)
