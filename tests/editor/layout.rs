@@ -7,7 +7,9 @@ use std::path::PathBuf;
 use chiaro_locale::{tr, tr_in};
 use eframe::egui::accesskit::Toggled;
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
-use eframe::egui::{FontFamily, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect};
+use eframe::egui::{
+    FontFamily, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect, vec2,
+};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, Node};
 
@@ -336,6 +338,47 @@ fn the_bar_of_a_narrow_picture_has_room_for_the_list_of_meshes() {
         look_at(&mut hand, &mut found, size, "a look without a scene");
     }
     assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+/// Least size of a panel that was opened, with its row of tabs, in points; and height of one that
+/// lies below the graph.
+const USABLE: (Vec2, f32) = (vec2(200.0, 180.0), 250.0);
+
+#[test]
+fn each_panel_opens_with_room_to_work_in() {
+    const BELOW_GRAPH: [&str; 2] = ["Timeline", "Light table"];
+    for size in [SIZES[0], SIZES[3]] {
+        let home = Home::new();
+        let mut hand = opened(&home);
+        resize(&mut hand, size);
+        let mut found = BTreeSet::new();
+        for panel in chiaro::editor::App::panel_names() {
+            show(&mut hand, panel);
+            hand.harness.run_steps(2);
+            let place = hand.app().panel_place(panel);
+            let place = place.unwrap_or_else(|| panic!("{panel} is not seen at {size:?}"));
+            let least = if BELOW_GRAPH.contains(&panel) { USABLE.1 } else { USABLE.0.y };
+            if place.width() < USABLE.0.x || place.height() < least {
+                found.insert(format!("{size:?}: {panel} has {:?}", place.size()));
+            }
+            look_at(&mut hand, &mut found, size, &format!("{panel} alone"));
+        }
+        assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
+    }
+}
+
+#[test]
+fn a_panel_that_has_room_keeps_the_layout_as_it_is() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    resize(&mut hand, SIZES[3]);
+    let place = |hand: &User| hand.app().panel_place("Picture").expect("the picture is seen");
+    let before = place(&hand);
+    for panel in ["Probe", "Code", "Picture"] {
+        show(&mut hand, panel);
+    }
+    hand.harness.run_steps(2);
+    assert_eq!(place(&hand), before);
 }
 
 #[test]
