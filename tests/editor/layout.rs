@@ -382,6 +382,59 @@ fn a_panel_that_has_room_keeps_the_layout_as_it_is() {
 }
 
 #[test]
+fn what_has_no_room_in_a_bar_is_in_its_menu() {
+    let home = Home::new();
+    std::fs::write(home.file("look.json"), LOOK).unwrap();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&home.file("look.json"));
+    hand.settle();
+    const SWITCHES: [&str; 2] = ["Probe pixel", "Place light"];
+    resize(&mut hand, SIZES[3]);
+    assert!(SWITCHES.iter().all(|switch| hand.has(switch)) && !hand.has("More of this bar"));
+    resize(&mut hand, SIZES[0]);
+    assert!(!SWITCHES.iter().all(|switch| hand.has(switch)), "the bar is too narrow for all");
+    hand.press("More of this bar");
+    for switch in SWITCHES {
+        assert!(hand.has(switch), "{switch} is lost");
+    }
+    let mut found = BTreeSet::new();
+    look_at(&mut hand, &mut found, SIZES[0], "the menu of the bar");
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+    hand.press("Probe pixel");
+    assert!(hand.app().probe().is_on());
+    hand.key(Key::Escape);
+    // The bar of the timeline leaves room for tracks.
+    show(&mut hand, "Timeline");
+    hand.harness.run_steps(2);
+    let place = hand.app().panel_place("Timeline").expect("the timeline is seen");
+    let playhead = hand.place("Playhead");
+    assert!(playhead.bottom() < place.top() + 0.55 * place.height(), "{playhead:?} in {place:?}");
+    assert!(!hand.has("Speed"));
+    let buttons = hand.harness.get_all_by_label("More of this bar").map(|node| node.rect());
+    let button = buttons.max_by(|a, b| a.left().total_cmp(&b.left())).expect("the timeline's");
+    hand.click(button.center());
+    hand.settle();
+    hand.press("Speed");
+    hand.press("×2");
+    assert!(hand.has("Speed"), "the menu stays open");
+}
+
+#[test]
+fn options_that_are_higher_than_the_window_scroll_to_their_end() {
+    let mut hand = User::new();
+    resize(&mut hand, ([1280.0, 720.0], 2.0));
+    hand.press("Options");
+    let last = |hand: &User| hand.place_like("Bake to LitSphere");
+    let window = hand.harness.ctx.content_rect();
+    assert!(!window.contains_rect(last(&hand)), "more than the window has room for");
+    let at = hand.place("Turntable").center();
+    for _ in 0..12 {
+        hand.wheel(at, -120.0);
+    }
+    assert!(window.contains_rect(last(&hand)), "{:?}", last(&hand));
+}
+
+#[test]
 fn buttons_that_lie_over_each_other_are_found() {
     let mut hand = User::new();
     let mut widgets = widgets(&mut hand);
