@@ -435,6 +435,46 @@ fn options_that_are_higher_than_the_window_scroll_to_their_end() {
 }
 
 #[test]
+fn a_long_message_is_read_whole_and_copied() {
+    let home = Home::new();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    let path = home.file(&format!("{}/look.json", "a-folder-that-is-not-there".repeat(6)));
+    resize(&mut hand, SIZES[0]);
+    hand.app_mut().save_as(&path);
+    hand.settle();
+    let message = hand.app().message().expect("it cannot be saved").to_owned();
+    let at = hand.place_of(Role::Button, &message).center();
+    hand.click(at);
+    hand.settle();
+    let lowest = |a: &Rect, b: &Rect| a.top().total_cmp(&b.top());
+    let buttons = hand.harness.get_all_by_label("Copy").map(|node| node.rect());
+    let button = buttons.max_by(lowest).expect("the text is shown with a button");
+    let mut found = BTreeSet::new();
+    look_at(&mut hand, &mut found, SIZES[0], "the whole message");
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+    hand.click(button.center());
+    assert_eq!(hand.take_copied().as_deref(), Some(&*message));
+}
+
+#[test]
+fn the_status_bar_tells_all_of_a_problem_under_the_pointer() {
+    let home = Home::new();
+    let broken = LOOK.replace("\"opacity\": 0.5", "\"opacity\": [1, 2, 3]");
+    std::fs::write(home.file("look.json"), broken).unwrap();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&home.file("look.json"));
+    hand.settle();
+    resize(&mut hand, SIZES[0]);
+    let errors = hand.errors();
+    assert!(!errors.is_empty(), "the opacity is no number");
+    let status = hand.place("Open the list of problems");
+    hand.hover(status.center());
+    hand.harness.run_steps(6);
+    assert!(hand.says("Lists all problems"), "{:?}", hand.names());
+    assert!(hand.says("Opacity\n"), "the node and its port: {:?}", hand.names());
+}
+
+#[test]
 fn buttons_that_lie_over_each_other_are_found() {
     let mut hand = User::new();
     let mut widgets = widgets(&mut hand);
