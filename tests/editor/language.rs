@@ -16,7 +16,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
-use crate::layout::{MENUS, ROUNDS, SIZES, collect, faults, opened};
+use crate::layout::{MENUS, ROUNDS, SIZES, collect, cut_readings, faults, opened};
 
 /// Environment variable of a process that was started for one test.
 const ALONE: &str = "CHIARO_TEST_ALONE";
@@ -137,6 +137,20 @@ fn german_panels_have_room() {
     hand.app_mut().session_mut().select(vec!["layer".into()]);
     let found = faults(&mut hand, &ROUNDS, &SIZES, &[SIZES[0]]);
     assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn german_values_of_wires_lie_within_the_canvas() {
+    if !is_alone("german_values_of_wires_lie_within_the_canvas") {
+        return;
+    }
+    let mut settings = Settings::default();
+    settings.language = Some("de".to_owned());
+    settings.speak();
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let found = cut_readings(&mut hand);
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]

@@ -474,6 +474,49 @@ fn the_status_bar_tells_all_of_a_problem_under_the_pointer() {
     assert!(hand.says("Opacity\n"), "the node and its port: {:?}", hand.names());
 }
 
+/// Texts of the canvas's readings at a pixel, which the canvas cuts off, at two sizes.
+pub(crate) fn cut_readings(hand: &mut User) -> Vec<String> {
+    let mut found = Vec::new();
+    for size in [SIZES[0], SIZES[2]] {
+        resize(hand, size);
+        hand.settle();
+        let picture = hand.app().viewport().rect().expect("the picture is seen");
+        hand.hover(picture.center());
+        if !hand.app().probe().is_on() {
+            hand.key(Key::I);
+        }
+        hand.click(picture.center());
+        hand.settle();
+        let (canvas, session) = (hand.app().canvas(), hand.app().session());
+        let nodes = ["base", "layer", "back", "output"];
+        let told = nodes.into_iter().filter_map(|id| canvas.reading_text(session, id));
+        let told: Vec<String> = told.map(str::to_owned).collect();
+        let mut seen = 0;
+        for ClippedShape { clip_rect, shape, .. } in &hand.harness.output().shapes {
+            let Shape::Text(text) = shape else { continue };
+            let is_reading = told.iter().any(|told| told == text.galley.text());
+            if !is_reading || clip_rect.left() < picture.right() {
+                continue;
+            }
+            seen += 1;
+            let place = text.visual_bounding_rect();
+            if !clip_rect.expand(1.0).contains_rect(place) || text.galley.elided {
+                found.push(format!("{size:?}: {:?} at {place:?}", text.galley.text()));
+            }
+        }
+        assert!(seen > 0, "values of {told:?} are on the canvas");
+    }
+    found
+}
+
+#[test]
+fn values_of_wires_lie_within_the_canvas() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let found = cut_readings(&mut hand);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
 #[test]
 fn buttons_that_lie_over_each_other_are_found() {
     let mut hand = User::new();
