@@ -420,6 +420,22 @@ fn what_has_no_room_in_a_bar_is_in_its_menu() {
 }
 
 #[test]
+fn the_bar_over_a_group_of_the_library_has_room_in_a_narrow_canvas() {
+    let mut hand = User::new();
+    resize(&mut hand, SIZES[0]);
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let canvas = hand.place("Graph");
+    hand.hover(canvas.center() + vec2(0.0, 120.0));
+    hand.key_with(Modifiers::COMMAND, Key::Enter);
+    hand.settle();
+    assert_eq!(hand.app().session().selection().open_groups().len(), 1);
+    let mut found = BTreeSet::new();
+    look_at(&mut hand, &mut found, SIZES[0], "a group of the library");
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+#[test]
 fn options_that_are_higher_than_the_window_scroll_to_their_end() {
     let mut hand = User::new();
     resize(&mut hand, ([1280.0, 720.0], 2.0));

@@ -99,8 +99,8 @@ pub(crate) struct PanelPlace {
     pub(crate) beside: &'static [PanelId],
     /// True if a closed panel reopens below the graph, where there is room.
     pub(crate) is_below_graph: bool,
-    /// Height that the panel's stack gets when the panel is opened, where it has less and its column
-    /// has more; in points.
+    /// Height that the panel's stack gets when the panel is opened, where it has less and its
+    /// column has more; in points.
     pub(crate) least_height: f32,
     /// True if the panel fills its area to the edges.
     pub(crate) fills_room: bool,
