@@ -16,7 +16,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
-use crate::layout::{MENUS, ROUNDS, SIZES, collect, faults, opened};
+use crate::layout::{MENUS, ROUNDS, SIZES, collect, cut_readings, faults, opened};
 
 /// Environment variable of a process that was started for one test.
 const ALONE: &str = "CHIARO_TEST_ALONE";
@@ -165,6 +165,20 @@ fn notes_of_a_mesh_follow_the_language() {
         let both = ["normals were made", "Normalen wurden"].map(|words| hand.says(words));
         assert!(hand.says(told) && both.iter().filter(|says| **says).count() == 1, "{told}");
     }
+}
+
+#[test]
+fn german_values_of_wires_lie_within_the_canvas() {
+    if !is_alone("german_values_of_wires_lie_within_the_canvas") {
+        return;
+    }
+    let mut settings = Settings::default();
+    settings.language = Some("de".to_owned());
+    settings.speak();
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let found = cut_readings(&mut hand);
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]

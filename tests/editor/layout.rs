@@ -7,7 +7,9 @@ use std::path::PathBuf;
 use chiaro_locale::{tr, tr_in};
 use eframe::egui::accesskit::Toggled;
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
-use eframe::egui::{FontFamily, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect};
+use eframe::egui::{
+    FontFamily, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect, vec2,
+};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, Node};
 
@@ -336,6 +338,199 @@ fn the_bar_of_a_narrow_picture_has_room_for_the_list_of_meshes() {
         look_at(&mut hand, &mut found, size, "a look without a scene");
     }
     assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+/// Least size of a panel that was opened, with its row of tabs, in points; and height of one that
+/// lies below the graph.
+const USABLE: (Vec2, f32) = (vec2(200.0, 180.0), 250.0);
+
+#[test]
+fn each_panel_opens_with_room_to_work_in() {
+    const BELOW_GRAPH: [&str; 2] = ["Timeline", "Light table"];
+    for size in [SIZES[0], SIZES[3]] {
+        let home = Home::new();
+        let mut hand = opened(&home);
+        resize(&mut hand, size);
+        let mut found = BTreeSet::new();
+        for panel in chiaro::editor::App::panel_names() {
+            show(&mut hand, panel);
+            hand.harness.run_steps(2);
+            let place = hand.app().panel_place(panel);
+            let place = place.unwrap_or_else(|| panic!("{panel} is not seen at {size:?}"));
+            let least = if BELOW_GRAPH.contains(&panel) { USABLE.1 } else { USABLE.0.y };
+            if place.width() < USABLE.0.x || place.height() < least {
+                found.insert(format!("{size:?}: {panel} has {:?}", place.size()));
+            }
+            look_at(&mut hand, &mut found, size, &format!("{panel} alone"));
+        }
+        assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
+    }
+}
+
+#[test]
+fn a_panel_that_has_room_keeps_the_layout_as_it_is() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    resize(&mut hand, SIZES[3]);
+    let place = |hand: &User| hand.app().panel_place("Picture").expect("the picture is seen");
+    let before = place(&hand);
+    for panel in ["Probe", "Code", "Picture"] {
+        show(&mut hand, panel);
+    }
+    hand.harness.run_steps(2);
+    assert_eq!(place(&hand), before);
+}
+
+#[test]
+fn what_has_no_room_in_a_bar_is_in_its_menu() {
+    let home = Home::new();
+    std::fs::write(home.file("look.json"), LOOK).unwrap();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&home.file("look.json"));
+    hand.settle();
+    const SWITCHES: [&str; 2] = ["Probe pixel", "Place light"];
+    resize(&mut hand, SIZES[3]);
+    assert!(SWITCHES.iter().all(|switch| hand.has(switch)) && !hand.has("More of this bar"));
+    resize(&mut hand, SIZES[0]);
+    assert!(!SWITCHES.iter().all(|switch| hand.has(switch)), "the bar is too narrow for all");
+    hand.press("More of this bar");
+    for switch in SWITCHES {
+        assert!(hand.has(switch), "{switch} is lost");
+    }
+    let mut found = BTreeSet::new();
+    look_at(&mut hand, &mut found, SIZES[0], "the menu of the bar");
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+    hand.press("Probe pixel");
+    assert!(hand.app().probe().is_on());
+    hand.key(Key::Escape);
+    // The bar of the timeline leaves room for tracks.
+    show(&mut hand, "Timeline");
+    hand.harness.run_steps(2);
+    let place = hand.app().panel_place("Timeline").expect("the timeline is seen");
+    let playhead = hand.place("Playhead");
+    assert!(playhead.bottom() < place.top() + 0.55 * place.height(), "{playhead:?} in {place:?}");
+    assert!(!hand.has("Speed"));
+    let buttons = hand.harness.get_all_by_label("More of this bar").map(|node| node.rect());
+    let button = buttons.max_by(|a, b| a.left().total_cmp(&b.left())).expect("the timeline's");
+    hand.click(button.center());
+    hand.settle();
+    hand.press("Speed");
+    hand.press("×2");
+    assert!(hand.has("Speed"), "the menu stays open");
+}
+
+#[test]
+fn the_bar_over_a_group_of_the_library_has_room_in_a_narrow_canvas() {
+    let mut hand = User::new();
+    resize(&mut hand, SIZES[0]);
+    hand.app_mut().session_mut().select(vec!["diffuse".into()]);
+    hand.settle();
+    let canvas = hand.place("Graph");
+    hand.hover(canvas.center() + vec2(0.0, 120.0));
+    hand.key_with(Modifiers::COMMAND, Key::Enter);
+    hand.settle();
+    assert_eq!(hand.app().session().selection().open_groups().len(), 1);
+    let mut found = BTreeSet::new();
+    look_at(&mut hand, &mut found, SIZES[0], "a group of the library");
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn options_that_are_higher_than_the_window_scroll_to_their_end() {
+    let mut hand = User::new();
+    resize(&mut hand, ([1280.0, 720.0], 2.0));
+    hand.press("Options");
+    let last = |hand: &User| hand.place_like("Bake to LitSphere");
+    let window = hand.harness.ctx.content_rect();
+    assert!(!window.contains_rect(last(&hand)), "more than the window has room for");
+    let at = hand.place("Turntable").center();
+    for _ in 0..12 {
+        hand.wheel(at, -120.0);
+    }
+    assert!(window.contains_rect(last(&hand)), "{:?}", last(&hand));
+}
+
+#[test]
+fn a_long_message_is_read_whole_and_copied() {
+    let home = Home::new();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    let path = home.file(&format!("{}/look.json", "a-folder-that-is-not-there".repeat(6)));
+    resize(&mut hand, SIZES[0]);
+    hand.app_mut().save_as(&path);
+    hand.settle();
+    let message = hand.app().message().expect("it cannot be saved").to_owned();
+    let at = hand.place_of(Role::Button, &message).center();
+    hand.click(at);
+    hand.settle();
+    let lowest = |a: &Rect, b: &Rect| a.top().total_cmp(&b.top());
+    let buttons = hand.harness.get_all_by_label("Copy").map(|node| node.rect());
+    let button = buttons.max_by(lowest).expect("the text is shown with a button");
+    let mut found = BTreeSet::new();
+    look_at(&mut hand, &mut found, SIZES[0], "the whole message");
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+    hand.click(button.center());
+    assert_eq!(hand.take_copied().as_deref(), Some(&*message));
+}
+
+#[test]
+fn the_status_bar_tells_all_of_a_problem_under_the_pointer() {
+    let home = Home::new();
+    let broken = LOOK.replace("\"opacity\": 0.5", "\"opacity\": [1, 2, 3]");
+    std::fs::write(home.file("look.json"), broken).unwrap();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&home.file("look.json"));
+    hand.settle();
+    resize(&mut hand, SIZES[0]);
+    let errors = hand.errors();
+    assert!(!errors.is_empty(), "the opacity is no number");
+    let status = hand.place("Open the list of problems");
+    hand.hover(status.center());
+    hand.harness.run_steps(6);
+    assert!(hand.says("Lists all problems"), "{:?}", hand.names());
+    assert!(hand.says("Opacity\n"), "the node and its port: {:?}", hand.names());
+}
+
+/// Texts of the canvas's readings at a pixel, which the canvas cuts off, at two sizes.
+pub(crate) fn cut_readings(hand: &mut User) -> Vec<String> {
+    let mut found = Vec::new();
+    for size in [SIZES[0], SIZES[2]] {
+        resize(hand, size);
+        hand.settle();
+        let picture = hand.app().viewport().rect().expect("the picture is seen");
+        hand.hover(picture.center());
+        if !hand.app().probe().is_on() {
+            hand.key(Key::I);
+        }
+        hand.click(picture.center());
+        hand.settle();
+        let (canvas, session) = (hand.app().canvas(), hand.app().session());
+        let nodes = ["base", "layer", "back", "output"];
+        let told = nodes.into_iter().filter_map(|id| canvas.reading_text(session, id));
+        let told: Vec<String> = told.map(str::to_owned).collect();
+        let mut seen = 0;
+        for ClippedShape { clip_rect, shape, .. } in &hand.harness.output().shapes {
+            let Shape::Text(text) = shape else { continue };
+            let is_reading = told.iter().any(|told| told == text.galley.text());
+            if !is_reading || clip_rect.left() < picture.right() {
+                continue;
+            }
+            seen += 1;
+            let place = text.visual_bounding_rect();
+            if !clip_rect.expand(1.0).contains_rect(place) || text.galley.elided {
+                found.push(format!("{size:?}: {:?} at {place:?}", text.galley.text()));
+            }
+        }
+        assert!(seen > 0, "values of {told:?} are on the canvas");
+    }
+    found
+}
+
+#[test]
+fn values_of_wires_lie_within_the_canvas() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let found = cut_readings(&mut hand);
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]

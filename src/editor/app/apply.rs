@@ -45,6 +45,7 @@ fn keeps_message(command: &Command) -> bool {
         | Command::Scale(_)
         | Command::Speak(_)
         | Command::OpenShortcuts
+        | Command::Copy(_)
         | Command::CopyShader(..)
         | Command::Graph(_)
         | Command::Sketch(_)

@@ -1,7 +1,7 @@
 //! Bar at the top of the window, and line of status at the bottom.
 
 use chiaro_locale::{Text, text, tr};
-use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
+use eframe::egui::{self, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
 use crate::app::dock;
@@ -16,6 +16,7 @@ use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::widgets::menu;
 use crate::widgets::spots::{self, Spot};
+use crate::widgets::text::in_a_line;
 use crate::widgets::theme;
 
 /// Smallest room for the names of the open documents in the bar, in points: a narrower bar leaves
@@ -174,9 +175,6 @@ impl App {
         ui.horizontal(|ui| {
             let mut command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
-                // A long message is cut off, and shown whole under the pointer, so that it never
-                // pushes the window about.
-                let text = RichText::new(message).color(theme::of(ui).accent);
                 if let Some(path) = &self.refused {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
                     let help = tr!("Opens the file that has it, in place of the shot");
@@ -184,10 +182,15 @@ impl App {
                         command = Some(Command::Open(Some(path.clone())));
                     }
                 }
-                ui.add(egui::Label::new(text).truncate()).on_hover_text(message);
+                // A long message is cut off, so that it never pushes the window about.
+                if in_a_line(ui, message, theme::of(ui).accent) {
+                    command = Some(Command::Copy(message.clone()));
+                }
                 ui.separator();
             }
-            ui.add(egui::Label::new(RichText::new(hint).color(theme::of(ui).dim)).truncate());
+            if in_a_line(ui, hint, theme::of(ui).dim) {
+                command = Some(Command::Copy(hint.to_owned()));
+            }
             command
         })
         .inner

@@ -348,6 +348,17 @@ impl App {
         &self.bench.cost
     }
 
+    /// Names of all panels, in the order of menus, in English.
+    pub fn panel_names() -> impl Iterator<Item = &'static str> {
+        PANELS.iter().map(|row| row.label.english())
+    }
+
+    /// Place of the panel of this English name, with the row of tabs above it, while it is seen.
+    pub fn panel_place(&self, name: &str) -> Option<eframe::egui::Rect> {
+        let row = PANELS.iter().find(|row| row.label.english() == name)?;
+        self.dock.place(row.id)
+    }
+
     /// Saved form of the panels' layout, where it changed since the last call.
     pub fn changed_arrangement(&mut self) -> Option<serde_json::Value> {
         self.dock.changed()

@@ -23,6 +23,9 @@ use crate::widgets::theme;
 /// Size of the map, in points of the screen.
 const MAP: egui::Vec2 = vec2(168.0, 112.0);
 
+/// Least room for the words on where a group comes from, in points.
+const ORIGIN: f32 = 60.0;
+
 /// Colors for frames and notes: name, straight RGB.
 const TINTS: [(Text, [f64; 3]); 7] = [
     (text!("Red"), [0.72, 0.28, 0.26]),
@@ -77,7 +80,12 @@ impl Canvas {
                         }
                         let (from, help) = origin(session);
                         let text = format!("{from}: {}", tr!("look, don't touch"));
-                        ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
+                        // A narrow canvas has room for the path and the button alone.
+                        if ui.available_width() > ORIGIN {
+                            let label = RichText::new(&text).color(theme::of(ui).dim);
+                            let label = ui.add(egui::Label::new(label).truncate());
+                            label.on_hover_text(format!("{text}\n{help}"));
+                        }
                     } else if let GraphId::Definition(id) = session.selection.graph_id() {
                         let help = tr!(
                             "Puts this group into the nodes folder beside the look, where every \

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Align2, FontId, Pos2, Rect, Ui, pos2, vec2};
+use eframe::egui::{Align2, FontId, Rect, Ui, pos2, vec2};
 
 use super::Canvas;
 use super::draw::ALL_TEXT;
@@ -43,8 +43,8 @@ impl Canvas {
             if row.rect.intersects(visible)
                 && let Some(reading) = self.reading_of(known, session, index)
             {
-                let corner = self.view.to_screen(row.rect.right_top());
-                self.draw_reading(ui, reading, corner + vec2(-4.0, -4.0) * self.view.zoom);
+                let node = self.view.rect_to_screen(row.rect);
+                self.draw_reading(ui, reading, node);
             }
         }
     }
@@ -62,18 +62,22 @@ impl Canvas {
         known.get(&source_within(session.look(), &session.project.library, path, port))
     }
 
-    /// Draws a reading whose right lower corner is `at`.
-    fn draw_reading(&self, ui: &Ui, reading: &WireReading, at: Pos2) {
+    /// Draws a reading above the right end of a node: as wide as the node at most, so that it lies
+    /// over no other one beside it, and moved into view as far as the node leaves it.
+    fn draw_reading(&self, ui: &Ui, reading: &WireReading, node: Rect) {
         let (zoom, colors) = (self.view.zoom, theme::of(ui));
         let painter = ui.painter_at(self.view.screen);
         let ink = if reading.is_finite { colors.text } else { colors.error };
         let ink = if self.readings.is_current { ink } else { ink.gamma_multiply(0.5) };
         let font = FontId::monospace(TEXT * zoom);
-        let galley = painter.layout_no_wrap(reading.text.clone(), font, ink);
         let room = reading.color.map_or(0.0, |_| (SWATCH + 4.0) * zoom);
+        let (margin, corner) = (vec2(3.0, 1.0) * zoom, vec2(-4.0, -4.0) * zoom);
+        let width = node.width() - room + 2.0 * corner.x;
+        let galley = painter.layout(reading.text.clone(), font, ink, width);
         let size = galley.size() + vec2(room, 0.0);
-        let place = Align2::RIGHT_BOTTOM.anchor_size(at, size);
-        let plate = place.expand2(vec2(3.0, 1.0) * zoom);
+        let place = Align2::RIGHT_BOTTOM.anchor_size(node.right_top() + corner, size);
+        let place = moved_into(place, self.view.screen.shrink2(margin));
+        let plate = place.expand2(margin);
         painter.rect_filled(plate, 3.0 * zoom, colors.canvas.gamma_multiply(0.9));
         if let Some(color) = reading.color {
             let middle = pos2(place.left() + 0.5 * SWATCH * zoom, place.center().y);
@@ -89,5 +93,27 @@ impl Canvas {
         let index = self.table.index_of(&id.into())?;
         let known = self.readings.known.as_ref()?;
         self.reading_of(known, session, index).map(|reading| reading.text.as_str())
+    }
+}
+
+/// A place moved by as little as brings it into `room`; what is larger begins where `room` does.
+fn moved_into(place: Rect, room: Rect) -> Rect {
+    let corner = place.max.min(room.max) - place.size();
+    Rect::from_min_size(corner.max(room.min), place.size())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_moved_into_the_room() {
+        let room = Rect::from_min_max(pos2(10.0, 20.0), pos2(110.0, 70.0));
+        let place = |x, y| Rect::from_min_size(pos2(x, y), vec2(30.0, 8.0));
+        assert_eq!(moved_into(place(40.0, 30.0), room), place(40.0, 30.0));
+        assert_eq!(moved_into(place(-5.0, 90.0), room), place(10.0, 62.0));
+        assert_eq!(moved_into(place(100.0, 0.0), room), place(80.0, 20.0));
+        let wide = Rect::from_min_size(pos2(50.0, 30.0), vec2(200.0, 8.0));
+        assert_eq!(moved_into(wide, room).min, pos2(10.0, 30.0));
     }
 }

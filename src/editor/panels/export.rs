@@ -10,7 +10,7 @@ use eframe::egui::{Align, Button, ComboBox, Layout, RichText, ScrollArea, Ui, ve
 use super::table::{PanelPlace, PanelRow, Presence};
 use crate::commands::{Command, PanelId};
 use crate::diag::Diagnostic;
-use crate::document::Storage;
+use crate::document::{ColorSpace, Storage};
 use crate::export::package::{LookNeeds, PACKAGES, Package, PackageScene, export_package};
 use crate::export::{self, ExportOptions};
 use crate::fields::passes::{self, OutputPass};
@@ -143,7 +143,7 @@ impl ExportCards {
                 }
             });
             ui.add_space(4.0);
-            languages(ui, &mut commands);
+            languages(ui, session.look().color_space, &mut commands);
             ui.add_space(4.0);
             named_passes(ui, session, &mut commands);
         });
@@ -291,10 +291,27 @@ fn show_card(
     });
 }
 
-/// Buttons for the languages alone.
-fn languages(ui: &mut Ui, commands: &mut Vec<Command>) {
+/// Sentence on what a program does with the colors of a look.
+fn encoding(space: ColorSpace) -> &'static str {
+    match space {
+        ColorSpace::Display => {
+            tr!("The colors are as shown (sRGB), and layers blend as such: write them into a \
+                 target that does not encode, with no tone mapping after it. The folders above do \
+                 so")
+        }
+        ColorSpace::Linear => {
+            tr!("The colors are linear light: write them into a target that encodes them or holds \
+                 light, with no tone mapping after it. The folders above do so")
+        }
+    }
+}
+
+/// Buttons for the languages alone, of a look whose colors are of this space.
+fn languages(ui: &mut Ui, space: ColorSpace, commands: &mut Vec<Command>) {
     let text = tr!("Or the shaders alone, with LOOK.json, for programs of your own:");
     ui.label(RichText::new(text).color(theme::of(ui).dim));
+    let small = RichText::new(encoding(space)).color(theme::of(ui).dim).size(theme::SMALL_TEXT);
+    ui.label(small);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
         for language in export::LANGUAGES {

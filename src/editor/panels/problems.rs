@@ -109,29 +109,50 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
     ui.add_space(4.0);
 }
 
+/// Titles of a problem's node along its path, with the label of the port.
+fn node_and_port(session: &Session, problem: &Diagnostic) -> Option<String> {
+    let (path, look) = (problem.place.node.as_ref()?, session.look_with_library());
+    let text = look.title_of_path(path);
+    let Some(port) = &problem.place.port else { return Some(text) };
+    let target = Target::Input { node: path.clone(), port: port.clone() };
+    let label = look.port_at(&target).map(|port| tr_in("node", &port.label).to_owned());
+    Some(format!("{text}: {}", label.unwrap_or_else(|| port.to_string())))
+}
+
+/// File of a problem, with its line and column there.
+fn file_and_line(problem: &Diagnostic) -> Option<String> {
+    let line = problem.place.at.map(|at| {
+        let (line, column) = (at.line, at.column);
+        tr!("line {line}, column {column}")
+    });
+    let parts = problem.place.file.iter().cloned().chain(line);
+    Some(parts.collect::<Vec<String>>().join(", ")).filter(|place| !place.is_empty())
+}
+
+/// All that is known of a problem: where it is, what is wrong and what mends it.
+fn whole(session: &Session, problem: &Diagnostic) -> String {
+    let look = session.look_with_library();
+    let place = node_and_port(session, problem);
+    let message = labelled(look, problem, &problem.message);
+    let hints = problem.hints.iter().map(|hint| labelled(look, problem, hint));
+    let lines = place.into_iter().chain(file_and_line(problem)).chain([message]).chain(hints);
+    lines.collect::<Vec<String>>().join("\n")
+}
+
 /// Shows the place of a problem: a node that a click leads to, or a line of a file.
 fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Command>) {
     if let Some(path) = &problem.place.node
         && let Some(node) = path.outermost()
+        && let Some(text) = node_and_port(session, problem)
     {
-        let look = session.look_with_library();
-        let mut text = look.title_of_path(path);
-        if let Some(port) = &problem.place.port {
-            let target = Target::Input { node: path.clone(), port: port.clone() };
-            let label = look.port_at(&target).map(|port| tr_in("node", &port.label).to_owned());
-            text = format!("{text}: {}", label.unwrap_or_else(|| port.to_string()));
-        }
         let title = session.look_with_library().title(node);
         let link = ui.link(RichText::new(text).color(theme::of(ui).accent));
         if link.on_hover_text(tr!("Selects {title} and brings it into view")).clicked() {
             out.push(Command::Show(path.clone()));
         }
     }
-    if let Some(at) = problem.place.at {
-        let (line, column) = (at.line, at.column);
-        let place = tr!("line {line}, column {column}");
-        let file = problem.place.file.as_deref();
-        let place = file.map(|file| format!("{file}, {place}")).unwrap_or(place);
+    if let (Some(at), Some(place)) = (problem.place.at, file_and_line(problem)) {
+        let line = at.line;
         ui.label(RichText::new(tr!("line {line}")).color(theme::of(ui).dim)).on_hover_text(place);
     }
 }
@@ -219,8 +240,9 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
     }
     ui.separator();
     let clicked = response.clicked();
+    let help = tr!("Lists all problems, with what mends them");
     response
         .on_hover_cursor(egui::CursorIcon::PointingHand)
-        .on_hover_text(tr!("Lists all problems, with what mends them"));
+        .on_hover_text(format!("{}\n\n{help}", whole(session, first)));
     clicked.then_some(Command::ShowPanel(PanelId::PROBLEMS))
 }

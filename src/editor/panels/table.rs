@@ -99,6 +99,9 @@ pub(crate) struct PanelPlace {
     pub(crate) beside: &'static [PanelId],
     /// True if a closed panel reopens below the graph, where there is room.
     pub(crate) is_below_graph: bool,
+    /// Height that the panel's stack gets when the panel is opened, where it has less and its
+    /// column has more; in points.
+    pub(crate) least_height: f32,
     /// True if the panel fills its area to the edges.
     pub(crate) fills_room: bool,
 }
@@ -110,6 +113,7 @@ impl PanelPlace {
         is_for_painting: false,
         beside: &[],
         is_below_graph: false,
+        least_height: 200.0,
         fills_room: false,
     };
     /// Place below the picture, with the panels that tell of the look.
@@ -133,8 +137,11 @@ impl PanelPlace {
         ..Self::CLOSED
     };
     /// Place below the graph, with the panels that need its width; closed in a new window.
-    pub(crate) const BELOW_GRAPH: Self =
-        Self { is_below_graph: true, ..Self::BELOW_PICTURE_WITH_CURVES.closed() };
+    pub(crate) const BELOW_GRAPH: Self = Self {
+        is_below_graph: true,
+        least_height: 300.0,
+        ..Self::BELOW_PICTURE_WITH_CURVES.closed()
+    };
     /// Place on the right, with the panels that list the parts of a document.
     pub(crate) const WITH_DOCUMENT: Self = Self {
         stack: Some(PanelStack::Document),

@@ -45,10 +45,6 @@ pub(crate) static TOOLS: &[ToolRow] = &[
 /// States of the picture's tools, each of a type of its own.
 pub(crate) struct PictureTools {
     states: Vec<Box<dyn Any>>,
-    /// True for each switch of the bar that has no room there.
-    without_room: Vec<bool>,
-    /// Widths of the switches in the bar, as they were shown last, in points.
-    widths: Vec<f32>,
 }
 
 impl PictureTools {
@@ -56,8 +52,7 @@ impl PictureTools {
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let parts = ToolParts::new(gpu, wake);
         let states = TOOLS.iter().map(|tool| (tool.start)(&parts)).collect();
-        let (without_room, widths) = (vec![false; TOOLS.len()], vec![0.0; TOOLS.len()]);
-        Self { states, without_room, widths }
+        Self { states }
     }
 
     /// State of this type, which the row of a tool starts.
@@ -96,28 +91,15 @@ impl PictureTools {
         TOOLS.iter().any(|tool| tool.takes_drags && (tool.is_on)(self))
     }
 
-    /// Shows the switches of the tools whose switch is at `place`. Those that have no room in a
-    /// narrow bar are among the options.
-    pub(crate) fn switches(&mut self, ui: &mut Ui, place: SwitchPlace, out: &mut Vec<Command>) {
+    /// Tools whose switches are in the bar above the picture, the most needed first.
+    pub(crate) fn of_bar() -> impl Iterator<Item = &'static ToolRow> {
         let at = |place: SwitchPlace| TOOLS.iter().filter(move |tool| tool.place == place);
-        let of_bar = || at(SwitchPlace::BarEnd).chain(at(SwitchPlace::Bar));
-        if place == SwitchPlace::Bar {
-            for (index, tool) in of_bar().enumerate() {
-                self.without_room[index] = ui.available_width() < self.widths[index];
-                if !self.without_room[index] {
-                    // The bar is filled from its right end.
-                    let start = ui.cursor().right();
-                    (tool.switch)(self, ui, out);
-                    self.widths[index] = start - ui.cursor().right() - ui.spacing().item_spacing.x;
-                }
-            }
-            return;
-        }
-        let without_room: Vec<&ToolRow> = of_bar()
-            .zip(&self.without_room)
-            .filter_map(|(tool, is_without)| is_without.then_some(tool))
-            .collect();
-        for tool in without_room.into_iter().chain(at(place)) {
+        at(SwitchPlace::BarEnd).chain(at(SwitchPlace::Bar))
+    }
+
+    /// Shows the switches that are among the options of the picture.
+    pub(crate) fn options(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
+        for tool in TOOLS.iter().filter(|tool| tool.place == SwitchPlace::Options) {
             (tool.switch)(self, ui, out);
         }
     }

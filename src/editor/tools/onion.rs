@@ -8,10 +8,8 @@
 use std::sync::Arc;
 
 use chiaro_locale::tr;
-use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Color32, ColorImage, PopupCloseBehavior, Rect, RichText, Role, TextureHandle, TextureOptions,
-    Ui, WidgetInfo,
+    Color32, ColorImage, Rect, RichText, Role, TextureHandle, TextureOptions, Ui, WidgetInfo,
 };
 
 use super::playback::cache::PictureKey;
@@ -19,12 +17,13 @@ use super::playback::paint::fit;
 use super::playback::{Playback, frame_at};
 use super::{PictureContext, SwitchPlace, ToolRow};
 use crate::state::session::Session;
+use crate::widgets::menu;
 use crate::widgets::number::{number_field, number_slider};
 use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
-    SwitchPlace::Bar,
+    SwitchPlace::Elsewhere,
     |_| Box::new(OnionSkin::default()),
     |tools| tools.of::<OnionSkin>().is_on,
     // The timeline has the form.
@@ -94,8 +93,7 @@ impl OnionSkin {
         }
         let text = RichText::new(tr!("Onion skin"));
         let text = if self.is_on { text.color(theme::of(ui).accent) } else { text };
-        let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
+        let menu = menu::staying(ui, text, |ui| {
             let help = tr!("Ghosts of the picture at other times, where it differs from now");
             ui.checkbox(&mut self.is_on, tr!("Show ghosts")).on_hover_text(help);
             ui.radio_value(&mut self.by, OnionStep::Keys, tr!("At keys before and after"));

@@ -50,6 +50,8 @@ pub(crate) enum SwitchPlace {
     BarEnd,
     /// The options of the picture.
     Options,
+    /// Another panel, or the parts of the picture that the tool works on.
+    Elsewhere,
 }
 
 /// Function that makes a tool's state, which has a type of its own.
@@ -73,7 +75,7 @@ pub(crate) struct ToolRow {
     pub(crate) takes_pointer: bool,
     /// True if drags over the picture are the tool's while it is on, but those with Alt.
     pub(crate) takes_drags: bool,
-    /// Shows the switch that turns the tool on and off.
+    /// Shows the switch that turns the tool on and off, unless that is elsewhere.
     pub(crate) switch: ShowSwitch,
     /// Shows a row of controls below the bar.
     pub(crate) bar: Option<ShowBar>,

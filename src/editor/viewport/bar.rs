@@ -2,8 +2,7 @@
 
 use chiaro_locale::{Text, tr, trn};
 use eframe::egui;
-use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use eframe::egui::{Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use std::path::Path;
 
 use super::Viewport;
@@ -17,15 +16,18 @@ use crate::fields::names;
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
 use crate::state::orbit::Orbit;
+use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::wire::Style;
 use crate::tools::notice::stand_below;
-use crate::tools::{PictureTools, SwitchPlace};
+use crate::tools::{PictureTools, ToolRow};
 use crate::widgets::color;
+use crate::widgets::menu;
 use crate::widgets::number::number_slider;
+use crate::widgets::overflow::overflowing;
 use crate::widgets::theme;
 
-/// Least width of a bar that tells the number of a scene's objects, in points.
+/// Least width of a bar that tells the number of a scene's objects at its start, in points.
 const WIDE: f32 = 370.0;
 /// Room that the word about compiling takes, in points.
 const COMPILING: f32 = 70.0;
@@ -41,31 +43,28 @@ impl Viewport {
         out: &mut Vec<Command>,
     ) {
         ui.horizontal(|ui| {
+            let is_wide = ui.available_width() > WIDE;
             match session.open_scene() {
                 None => mesh_choice(ui, session, out),
-                Some(open_scene) => {
-                    let count = open_scene.scene().objects.len();
-                    let text = trn!(count, "{count} object", "{count} objects");
-                    // The scene's name stands in the title already: the number of its objects is
-                    // what a narrow picture has room for.
-                    let help = tr!("Shows the objects of {scene}", scene = open_scene.name());
-                    let is_wide = ui.available_width() > WIDE;
-                    if is_wide && ui.link(text).on_hover_text(help).clicked() {
-                        out.push(Command::ShowPanel(PanelId::OBJECTS));
-                    }
-                }
+                Some(open_scene) if is_wide => objects_link(ui, open_scene, out),
+                Some(_) => {}
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let stays =
-                    MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-                let (menu, _) = MenuButton::new(tr!("Options"))
-                    .config(stays)
-                    .ui(ui, |ui| self.options(ui, session, (&mut *view, &mut *tools), out));
+                let menu = menu::staying(ui, tr!("Options"), |ui| {
+                    self.options(ui, session, (&mut *view, &mut *tools), out);
+                });
                 menu.on_hover_text(tr!(
                     "Turntable, projection, backdrop, exposure, view transform, reference image, \
                      saving"
                 ));
-                tools.switches(ui, SwitchPlace::Bar, out);
+                let switches: Vec<&ToolRow> = PictureTools::of_bar().collect();
+                let linked = session.open_scene().filter(|_| !is_wide);
+                let count = switches.len() + usize::from(linked.is_some());
+                let parts: Vec<usize> = (0..count).collect();
+                overflowing(ui, "switches", 1, &parts, |ui, part| match switches.get(part) {
+                    Some(tool) => (tool.switch)(tools, ui, out),
+                    None => linked.into_iter().for_each(|scene| objects_link(ui, scene, out)),
+                });
                 if session.is_compiling() && ui.available_width() > COMPILING {
                     ui.label(egui::RichText::new(tr!("compiling")).color(theme::of(ui).dim));
                 }
@@ -81,7 +80,7 @@ impl Viewport {
         out: &mut Vec<Command>,
     ) {
         let help_of = |command| table::help_of(&Command::View(command));
-        tools.switches(ui, SwitchPlace::Options, out);
+        tools.options(ui, out);
         let help = tr!(
             "Where eye and lights stand at a place, as a painted surface (HCBTF) looks them up: \
              blue lies toward the eye, the others toward lights, each with its trace on the \
@@ -244,6 +243,17 @@ impl Viewport {
                 response.on_hover_text(tr!("Pixels along a side")).widget_info(name);
             }
         });
+    }
+}
+
+/// Shows the number of a scene's objects, which leads to their list: the scene's name stands in the
+/// title already.
+fn objects_link(ui: &mut Ui, open_scene: &OpenScene, out: &mut Vec<Command>) {
+    let count = open_scene.scene().objects.len();
+    let text = trn!(count, "{count} object", "{count} objects");
+    let help = tr!("Shows the objects of {scene}", scene = open_scene.name());
+    if ui.link(text).on_hover_text(help).clicked() {
+        out.push(Command::ShowPanel(PanelId::OBJECTS));
     }
 }
 

@@ -28,6 +28,10 @@ const REACH: f32 = 7.0;
 const TOGETHER: f64 = 1e-6;
 /// Length below which a line is noise of the mesh, in points.
 const SHORTEST: f32 = 9.0;
+/// Number of lines of one angle beyond which the mesh is rough there.
+const MANY: usize = 24;
+/// Part of the longest line below which a line is noise of a rough mesh.
+const NOISE: f32 = 0.12;
 /// Length of an offset's line below which a ring stands for it, in points.
 const RING_BELOW: f32 = 48.0;
 /// Offset beyond which there is no ring, however short the line, in radians: its end is out of
@@ -45,6 +49,16 @@ struct Track {
     curves: Vec<Curve>,
     level: f64,
     lines: Vec<Line>,
+}
+
+impl Track {
+    /// Lines that are drawn and taken hold of.
+    fn lines_without_noise(&self, rect: Rect) -> impl Iterator<Item = &Line> {
+        let lengths: Vec<f32> = self.lines.iter().map(|line| length(line, rect)).collect();
+        let least = least_length(&lengths);
+        let lines = self.lines.iter().zip(lengths);
+        lines.filter_map(move |(line, length)| (length >= least).then_some(line))
+    }
 }
 
 /// Inputs of the lines: for the same inputs the known lines are used.
@@ -142,7 +156,7 @@ impl Isocurves {
     /// Curves under the pointer.
     pub(super) fn hit(&self, rect: Rect, at: Pos2, splits: bool) -> Option<HeldCurve> {
         let distance = |track: &Track| {
-            let lines = track.lines.iter().filter(|line| length(line, rect) >= SHORTEST);
+            let lines = track.lines_without_noise(rect);
             let mut nearest =
                 lines.map(|line| distance_to(line, rect, at)).fold(f32::INFINITY, f32::min);
             if self.has_ring(track, rect)
@@ -239,7 +253,7 @@ impl Isocurves {
         for track in &self.tracks {
             let width = if is_marked(track) { 3.0 } else { 1.8 };
             let strength = if is_near || is_marked(track) { 1.0 } else { 0.65 };
-            for line in track.lines.iter().filter(|line| length(line, rect) >= SHORTEST) {
+            for line in track.lines_without_noise(rect) {
                 let points: Vec<Pos2> =
                     line.points.iter().map(|place| on_screen(rect, *place)).collect();
                 paint_line(&painter, &points, line.is_closed, &track.curves, width, strength);
@@ -308,8 +322,7 @@ impl Isocurves {
     /// Points of a curve on the screen; for tests.
     pub(super) fn points(&self, curve: Curve, rect: Rect) -> Vec<Pos2> {
         let tracks = self.tracks.iter().filter(|track| track.curves.contains(&curve));
-        let lines =
-            tracks.flat_map(|track| &track.lines).filter(|line| length(line, rect) >= SHORTEST);
+        let lines = tracks.flat_map(|track| track.lines_without_noise(rect));
         lines.flat_map(|line| &line.points).map(|place| on_screen(rect, *place)).collect()
     }
 }
@@ -388,6 +401,14 @@ fn segments(line: &Line, rect: Rect) -> impl Iterator<Item = (Pos2, Pos2)> + '_ 
         .map(move |k| (on_screen(rect, points[k]), on_screen(rect, points[(k + 1) % points.len()])))
 }
 
+/// Length from which on lines of one angle are drawn, in points: on a rough mesh most of them go
+/// around single bumps.
+fn least_length(lengths: &[f32]) -> f32 {
+    let count = lengths.iter().filter(|length| **length >= SHORTEST).count();
+    let longest = lengths.iter().copied().fold(0.0, f32::max);
+    if count > MANY { SHORTEST.max(NOISE * longest) } else { SHORTEST }
+}
+
 fn length(line: &Line, rect: Rect) -> f32 {
     segments(line, rect).map(|(a, b)| a.distance(b)).sum()
 }
@@ -398,4 +419,21 @@ fn distance_to(line: &Line, rect: Rect, at: Pos2) -> f32 {
         at.distance(a + (b - a) * t)
     };
     segments(line, rect).map(distance).fold(f32::INFINITY, f32::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_around_bumps_are_left_out_and_lines_of_several_bodies_stay() {
+        let bodies = [400.0, 60.0, 12.0, 3.0];
+        assert_eq!(least_length(&bodies), SHORTEST);
+        let bumps: Vec<f32> = std::iter::once(400.0).chain([20.0; 60]).collect();
+        let least = least_length(&bumps);
+        assert!(bumps.iter().filter(|length| **length >= least).count() == 1, "{least}");
+        // Many lines of like lengths are all there is.
+        assert_eq!(least_length(&[20.0; 60]), SHORTEST);
+        assert_eq!(least_length(&[]), SHORTEST);
+    }
 }

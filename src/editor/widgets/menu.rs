@@ -1,6 +1,7 @@
-//! Contents of menus that may be higher than the window.
+//! Contents of menus that may be higher than the window, and menus that hold other controls.
 
-use eframe::egui::{ScrollArea, Ui};
+use eframe::egui::containers::menu::{MenuButton, MenuConfig, is_in_menu};
+use eframe::egui::{ComboBox, PopupCloseBehavior, Response, ScrollArea, Ui, WidgetText};
 
 /// Room of a window that a menu leaves above and below itself, in points.
 const MARGIN: f32 = 44.0;
@@ -11,4 +12,33 @@ pub(crate) fn scrolling<R>(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> R) -> R {
     // A popup tells no height that it may take; without a least one it takes a few rows.
     let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
     area.show(ui, add).inner
+}
+
+/// Shows a button with a menu of controls, which stays open while they are used.
+pub(crate) fn staying<R>(
+    ui: &mut Ui,
+    text: impl Into<WidgetText>,
+    add: impl FnOnce(&mut Ui) -> R,
+) -> Response {
+    let text = text.into();
+    // A second popup would close the menu that the button is in.
+    if is_in_menu(ui) {
+        return ui.menu_button(text, |ui| scrolling(ui, add)).response;
+    }
+    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    MenuButton::new(text).config(config).ui(ui, |ui| scrolling(ui, add)).0
+}
+
+/// Shows a combo box with this text, or within a menu, which its list would close, a menu.
+pub(crate) fn choice(
+    ui: &mut Ui,
+    combo: ComboBox,
+    text: impl Into<WidgetText>,
+    add: impl FnOnce(&mut Ui),
+) -> Response {
+    let text = text.into();
+    if is_in_menu(ui) {
+        return ui.menu_button(text, |ui| scrolling(ui, add)).response;
+    }
+    combo.selected_text(text).show_ui(ui, add).response
 }

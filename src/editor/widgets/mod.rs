@@ -7,6 +7,7 @@ pub(crate) mod handle;
 pub(crate) mod icon;
 pub(crate) mod menu;
 pub(crate) mod number;
+pub(crate) mod overflow;
 pub(crate) mod picker;
 pub(crate) mod ramp;
 pub(crate) mod rows;

@@ -5,9 +5,15 @@ use std::sync::Arc;
 
 use chiaro_locale::tr;
 use eframe::egui;
-use eframe::egui::{Id, Label, Response, RichText, TextEdit, Ui, WidgetText};
+use eframe::egui::{
+    Color32, CursorIcon, Id, Label, Popup, PopupCloseBehavior, Response, RichText, Role, Sense,
+    TextEdit, TextStyle, TextWrapMode, Ui, WidgetInfo, WidgetText,
+};
 
-use super::{rows, theme};
+use super::{menu, rows, theme};
+
+/// Greatest width of a text that is shown whole, in points.
+const WHOLE: f32 = 520.0;
 
 /// Shows a line in place of content that does not exist yet.
 pub(crate) fn hint(ui: &mut Ui, text: &str) {
@@ -21,6 +27,43 @@ pub(crate) fn in_lines(ui: &mut Ui, text: RichText, lines: usize) -> Response {
     let mut job = Arc::unwrap_or_clone(job);
     job.wrap.max_rows = lines;
     ui.add(Label::new(job).show_tooltip_when_elided(false))
+}
+
+/// Shows a text in one line, which ends with an ellipsis where it has no room. The whole of it is
+/// shown under the pointer, and a click shows it to be read and copied. Returns true if it is to be
+/// copied.
+pub(crate) fn in_a_line(ui: &mut Ui, text: &str, color: Color32) -> bool {
+    let rich = RichText::new(text).color(color);
+    let line = WidgetText::from(rich.clone());
+    let room = ui.available_width();
+    let line = line.into_galley(ui, Some(TextWrapMode::Truncate), room, TextStyle::Body);
+    let label = Label::new(rich).truncate();
+    if !line.elided {
+        ui.add(label);
+        return false;
+    }
+    let label = label.selectable(false).sense(Sense::click()).show_tooltip_when_elided(false);
+    let response = ui.add(label);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, text));
+    if response.hovered() || response.has_focus() {
+        let underline = (1.0, theme::of(ui).accent);
+        ui.painter().hline(response.rect.x_range(), response.rect.bottom(), underline);
+    }
+    let popup = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let copied = popup.show(|ui| {
+        ui.set_width(WHOLE.min(ui.ctx().content_rect().width() * 0.8));
+        let is_copied = menu::scrolling(ui, |ui| {
+            ui.add(Label::new(text).wrap().selectable(true));
+            ui.button(tr!("Copy")).clicked()
+        });
+        if is_copied {
+            ui.close();
+        }
+        is_copied
+    });
+    let help = tr!("{text}\nA click shows it, to be copied.");
+    response.on_hover_cursor(CursorIcon::PointingHand).on_hover_text(help);
+    copied.is_some_and(|copied| copied.inner)
 }
 
 /// True if the text of a field that takes effect while it is typed is another one in this frame.

@@ -2,6 +2,7 @@
 //! split, closed and brought back; the layout is remembered.
 
 mod columns;
+mod heights;
 mod tabs;
 mod workspace;
 
@@ -67,6 +68,8 @@ pub(crate) struct Dock {
     workspace: Workspace,
     /// Layout of the other workspace, once that was entered.
     aside: Option<Tree<Pane>>,
+    /// Panel that was opened, until its stack has the height that the panel needs.
+    opened: Option<TileId>,
     /// True if the layouts differ from the saved ones.
     is_changed: bool,
 }
@@ -77,6 +80,7 @@ impl Default for Dock {
             tree: arrangement(),
             workspace: Workspace::default(),
             aside: None,
+            opened: None,
             is_changed: false,
         }
     }
@@ -131,6 +135,9 @@ impl Dock {
             self.tree.make_active(|tile, _| tile == wanted);
             self.is_changed = true;
         }
+        if self.opened.take().is_some_and(|opened| self.raise(opened)) {
+            ui.ctx().request_discard("an opened panel has another height");
+        }
     }
 
     fn tile_of(&self, panel: PanelId) -> Option<TileId> {
@@ -140,6 +147,12 @@ impl Dock {
     /// True if this panel is seen.
     pub(crate) fn shows(&self, panel: PanelId) -> bool {
         self.tile_of(panel).is_some_and(|tile| self.tree.active_tiles().contains(&tile))
+    }
+
+    /// Place of a panel that is seen, with the row of tabs above it.
+    pub(crate) fn place(&self, panel: PanelId) -> Option<Rect> {
+        let stack = self.tree.tiles.parent_of(self.tile_of(panel)?)?;
+        self.tree.tiles.rect(stack).filter(|_| self.shows(panel))
     }
 
     /// True if this panel is open, seen or behind another's tab.
@@ -154,6 +167,7 @@ impl Dock {
             self.bring_back(pane);
         }
         self.tree.make_active(|_, tile| matches!(tile, Tile::Pane(found) if *found == pane));
+        self.opened = self.tile_of(panel);
         self.is_changed = true;
     }
 

@@ -34,7 +34,7 @@ use version::{
 };
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
-    SwitchPlace::Bar,
+    SwitchPlace::Elsewhere,
     |parts| Box::new(FlipBook::new(parts.gpu.as_ref(), parts.wake())),
     |tools| tools.of::<FlipBook>().is_open(),
     // The choice is one with that of the comparison.

@@ -30,7 +30,7 @@ use work::{MaskAnswer, MaskChange, MaskRequest};
 pub(crate) use work::{lacks_colors, laying};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
-    SwitchPlace::Options,
+    SwitchPlace::Elsewhere,
     |parts| Box::new(MaskTool::new(parts.wake())),
     |tools| tools.of::<MaskTool>().is_on(),
     |_, _, _| {},

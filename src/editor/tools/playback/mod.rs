@@ -32,7 +32,7 @@ use order::PlayOrder;
 use rate::ShownRate;
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
-    SwitchPlace::Bar,
+    SwitchPlace::Elsewhere,
     |parts| {
         let worker = parts.gpu.clone().map(|gpu| {
             let mut drawer = FrameDrawer::new(&gpu);

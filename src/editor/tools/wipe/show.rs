@@ -16,6 +16,7 @@ use crate::state::worker::BackgroundJobs;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
 use crate::tools::playback::Playback;
+use crate::widgets::menu;
 use crate::widgets::number::number_slider;
 use crate::widgets::rows::{fitted, whole};
 use crate::widgets::theme;
@@ -41,15 +42,15 @@ pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Comman
         (None, Some(_)) => wipe.name.clone(),
         (None, None) => tr!("Compare").to_owned(),
     };
-    let combo = egui::ComboBox::from_id_salt("against").selected_text(text).width(WIDTH).truncate();
-    let combo = combo.height(LIST).show_ui(ui, |ui| {
+    let combo = egui::ComboBox::from_id_salt("against").width(WIDTH).truncate().height(LIST);
+    let response = menu::choice(ui, combo, text, |ui| {
         let chosen = states(tools, ui, version.is_none(), out);
         let frames = frames(tools, ui, out);
         if let Some(chosen) = chosen.or(frames.then_some(None)) {
             tools.of_mut::<Wipe>().choose(chosen);
         }
     });
-    combo.response.on_hover_text(tr!(
+    response.on_hover_text(tr!(
         "Shows the picture beside a snapshot, a file, a reference picture, the same in another \
          tier, the truth in f64, or frames of another version"
     ));

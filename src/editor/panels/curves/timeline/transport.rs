@@ -1,10 +1,9 @@
 //! Transport of the timeline: play, step, the ways to play, and the frames that are kept.
 
 use chiaro_locale::{tr, trn};
-use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Align, Button, ComboBox, Event, Key, Label, Layout, Modifiers, PointerButton,
-    PopupCloseBehavior, Rect, RichText, Role, Stroke, Ui, UiBuilder, WidgetInfo, vec2,
+    Align, Button, ComboBox, Event, Key, Label, Layout, Modifiers, PointerButton, Rect, RichText,
+    Role, Stroke, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
 use super::axis::Axis;
@@ -14,10 +13,10 @@ use crate::commands::{Command, TimelineCommand, keyboard};
 use crate::state::session::Session;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
-use crate::tools::onion::OnionSkin;
 use crate::tools::playback::order::LoopMode;
 use crate::tools::playback::{MEMORIES, PlayPace, Playback, frame_at, time_of};
 use crate::values;
+use crate::widgets::menu;
 use crate::widgets::number::{self, number_field, number_field_as};
 use crate::widgets::theme;
 
@@ -146,45 +145,47 @@ pub(super) fn keys(
     }
 }
 
-/// Shows the ways to play, the real rate, and what is kept.
-pub(super) fn ways(
-    timeline: &mut Timeline,
-    ui: &mut Ui,
-    session: &Session,
-    tools: &mut PictureTools,
-    out: &mut Vec<Command>,
-) {
+/// Shows the choice of what follows the end of the range.
+pub(super) fn mode(timeline: &mut Timeline, ui: &mut Ui) {
     let clock = &mut timeline.clock;
-    let combo = ComboBox::from_id_salt("mode").width(70.0).selected_text(clock.mode.label());
-    let combo = combo.show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("mode").width(70.0);
+    let response = menu::choice(ui, combo, clock.mode.label(), |ui| {
         for mode in LoopMode::ALL {
             ui.selectable_value(&mut clock.mode, mode, mode.label()).on_hover_text(mode.help());
         }
     });
-    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("At the end")));
-    combo.response.on_hover_text(clock.mode.help());
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("At the end")));
+    response.on_hover_text(clock.mode.help());
+}
+
+/// Shows the choice of the speed.
+pub(super) fn speed(timeline: &mut Timeline, ui: &mut Ui) {
+    let clock = &mut timeline.clock;
     let text = |speed: f64| format!("×{}", values::number_text(speed, 2));
-    let combo = ComboBox::from_id_salt("speed").width(44.0).selected_text(text(clock.speed));
-    let combo = combo.show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("speed").width(44.0);
+    let response = menu::choice(ui, combo, text(clock.speed), |ui| {
         for speed in SPEEDS {
             ui.selectable_value(&mut clock.speed, speed, text(speed));
         }
     });
-    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("Speed")));
-    combo.response.on_hover_text(tr!("Speed, as a factor of the frame rate"));
-    if clock.part.is_some() {
-        let help = tr!(
-            "Plays the whole range again. A drag on the ruler with Shift chooses a part; I and O \
-             over this panel set its ends"
-        );
-        if ui.button(tr!("Whole range")).on_hover_text(help).clicked() {
-            clock.part = None;
-        }
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("Speed")));
+    response.on_hover_text(tr!("Speed, as a factor of the frame rate"));
+}
+
+/// Shows the button that plays the whole range again.
+pub(super) fn whole_range(timeline: &mut Timeline, ui: &mut Ui) {
+    let help = tr!(
+        "Plays the whole range again. A drag on the ruler with Shift chooses a part; I and O over \
+         this panel set its ends"
+    );
+    if ui.button(tr!("Whole range")).on_hover_text(help).clicked() {
+        timeline.clock.part = None;
     }
-    let playback = tools.playback();
-    if !playback.can_draw() {
-        return;
-    }
+}
+
+/// Shows the choice between every frame and real time.
+pub(super) fn pace(timeline: &mut Timeline, ui: &mut Ui) {
+    let clock = &mut timeline.clock;
     let mut waits = clock.pace == PlayPace::EveryFrame;
     let help = tr!(
         "Shows every frame, later than its time where it is not drawn yet; else those are left out"
@@ -192,10 +193,10 @@ pub(super) fn ways(
     if ui.checkbox(&mut waits, tr!("Every frame")).on_hover_text(help).changed() {
         clock.pace = if waits { PlayPace::EveryFrame } else { PlayPace::RealTime };
     }
-    ui.separator();
-    kept(ui, playback, out);
-    let keys = super::times(session);
-    tools.of_mut::<OnionSkin>().form(ui, timeline.fps, keys);
+}
+
+/// Shows the button that keeps the frames as a version.
+pub(super) fn version(ui: &mut Ui, tools: &mut PictureTools) {
     let (flip, playback) = tools.pair::<FlipBook, Playback>();
     let has_frames = playback.cache().frames().next().is_some();
     let help =
@@ -208,7 +209,8 @@ pub(super) fn ways(
 }
 
 /// Shows how many frames are kept, the button that draws the others, and the memory.
-fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
+pub(super) fn cache(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
+    ui.separator();
     let is_filling = playback.is_filling();
     let (text, name, help) = match is_filling {
         true => (tr!("Stop"), tr!("Stop drawing"), tr!("Leaves the other frames undrawn")),
@@ -232,8 +234,7 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
     let memory = playback.memory();
     let all = round.count();
     let text = tr!("{count}/{all} kept");
-    let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
+    let menu = menu::staying(ui, text, |ui| {
         ui.label(trn!(
             drawn = playback.drawn(),
             "{used} of {memory} MiB in use; {drawn} frame drawn",
