@@ -1,24 +1,31 @@
 //! Meshes that move: nodes, skins, morphs, cameras and animations of small glTF files, against
 //! numbers that were computed by hand.
 
+use chiaro::compile::Live;
 use chiaro::diag::{Diagnostic, WithWarnings};
+use chiaro::document::{Camera, MeshAnimation, Scene};
+use chiaro::frame::{Assets, PlanOptions, Planner, PlayedAnimation, Setup};
 use chiaro::geometry::{CameraLens, Mesh, import, no_siblings};
+use chiaro::library::Library;
+use chiaro::progress::Progress;
+use chiaro::reference::{probe_surface, surface_setup};
 use glam::{DQuat, DVec3, Vec3};
 use serde_json::{Value, json};
 
 use crate::geometry_import::base64;
+use crate::support::eval::{look, scene, told};
 
 /// A glTF file in the making: its numbers, and the accessors of them.
 #[derive(Default)]
-struct GltfNumbers {
+pub(crate) struct GltfNumbers {
     bytes: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
+    pub(crate) views: Vec<Value>,
+    pub(crate) accessors: Vec<Value>,
 }
 
 impl GltfNumbers {
     /// Adds an accessor, and gives its number.
-    fn add(&mut self, kind: &str, component: u32, count: usize, bytes: &[u8]) -> usize {
+    pub(crate) fn add(&mut self, kind: &str, component: u32, count: usize, bytes: &[u8]) -> usize {
         let offset = self.bytes.len();
         self.bytes.extend(bytes);
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
@@ -29,7 +36,7 @@ impl GltfNumbers {
         self.accessors.len() - 1
     }
 
-    fn floats(&mut self, kind: &str, numbers: &[f32]) -> usize {
+    pub(crate) fn floats(&mut self, kind: &str, numbers: &[f32]) -> usize {
         let width = match kind {
             "SCALAR" => 1,
             "VEC2" => 2,
@@ -41,13 +48,13 @@ impl GltfNumbers {
         self.add(kind, 5126, numbers.len() / width, &bytes)
     }
 
-    fn indices(&mut self, indices: &[u16]) -> usize {
+    pub(crate) fn indices(&mut self, indices: &[u16]) -> usize {
         let bytes: Vec<u8> = indices.iter().flat_map(|index| index.to_le_bytes()).collect();
         self.add("SCALAR", 5123, indices.len(), &bytes)
     }
 
     /// The file, with these members beside the numbers.
-    fn file(self, mut members: Value) -> String {
+    pub(crate) fn file(self, mut members: Value) -> String {
         let uri = format!("data:;base64,{}", base64(&self.bytes));
         members["asset"] = json!({"version": "2.0"});
         members["buffers"] = json!([{"byteLength": self.bytes.len(), "uri": uri}]);
@@ -169,20 +176,25 @@ fn a_skin_follows_its_joints_and_not_its_node() {
     assert_eq!(bent.uvs, mesh.uvs);
 }
 
+/// A still mesh of the places, UVs and triangles of another, read from a file that has no more.
+fn modeled(mesh: &Mesh) -> Mesh {
+    let mut obj = String::new();
+    for ([x, y, z], [u, v]) in mesh.positions.iter().zip(&mesh.uvs) {
+        obj += &format!("v {x:?} {y:?} {z:?}\nvt {u:?} {v:?}\n");
+    }
+    for [a, b, c] in mesh.indices.as_chunks::<3>().0 {
+        let [a, b, c] = [a + 1, b + 1, c + 1];
+        obj += &format!("f {a}/{a} {b}/{b} {c}/{c}\n");
+    }
+    import("x.obj", obj.as_bytes(), &no_siblings).unwrap().value
+}
+
 /// Made normals and tangents of a deformed mesh are those of the deformed shape as a still mesh.
 #[test]
 fn a_bent_sheet_is_shaded_as_one_that_was_modeled_so() {
     let mesh = read(&bar(DQuat::from_rotation_x(0.9), |_, _| {})).value;
     let bent = at(&mesh, 2.0);
-    let mut obj = String::new();
-    for ([x, y, z], [u, v]) in bent.positions.iter().zip(&bent.uvs) {
-        obj += &format!("v {x:?} {y:?} {z:?}\nvt {u:?} {v:?}\n");
-    }
-    for [a, b, c] in bent.indices.as_chunks::<3>().0 {
-        let [a, b, c] = [a + 1, b + 1, c + 1];
-        obj += &format!("f {a}/{a} {b}/{b} {c}/{c}\n");
-    }
-    let modeled = import("x.obj", obj.as_bytes(), &no_siblings).unwrap().value;
+    let modeled = modeled(&bent);
     assert_eq!(modeled.positions.len(), bent.positions.len());
     for (vertex, place) in bent.positions.iter().enumerate() {
         let same = modeled.positions.iter().position(|other| other == place).unwrap();
@@ -193,6 +205,44 @@ fn a_bent_sheet_is_shaded_as_one_that_was_modeled_so() {
         assert!(off < 1e-2 && own[3] == other[3], "tangent at {place:?}: {off}");
     }
     assert!(bent.normals.iter().any(|normal| normal[1].abs() > 0.5), "it is bent");
+}
+
+/// Curvature, which passes of a picture make of places and normals, is that of the deformed shape
+/// as a still mesh, and none where the sheet is still flat.
+#[test]
+fn curvature_follows_the_bend() {
+    let mesh = read(&bar(DQuat::from_rotation_x(0.9), |_, _| {})).value;
+    let still = modeled(&at(&mesh, 2.0));
+    let camera = Camera { eye: [0.0, 1.0, 4.0], target: [0.0, 1.0, 0.0], ..Camera::default() };
+    let setup = |mesh: Mesh, animation| {
+        let look = look(&json!({
+            "nodes": [{"id": "base", "kind": "base"}, {"id": "output", "kind": "output"}],
+            "wires": [{"from": "base", "to": "output.color"}]}));
+        let mut setup = scene(look, mesh, Scene { camera, ..Scene::default() });
+        setup.objects[0].animation = animation;
+        surface_setup(&setup, true)
+    };
+    let played = MeshAnimation { loops: false, ..MeshAnimation::default() };
+    let moving = setup(mesh, Some(PlayedAnimation { number: 0, played }));
+    let still = setup(still, None);
+    let curvatures = |setup: &Setup, time: f64| -> Vec<Option<f64>> {
+        let options = PlanOptions { size: [48; 2], samples: 1, time };
+        let mut planner = Planner::for_probes(Assets::default());
+        let plan = planner.plan(setup, Library::built_in(), &Live::All, &options);
+        let plan = plan.unwrap_or_else(|problems| panic!("{}", told(&problems))).value;
+        let at = |y: u32| probe_surface(&plan, [25, y], &Progress::new()).expect("a plan of it");
+        (8..40).step_by(3).map(|y| at(y).map(|surface| surface.kappa)).collect()
+    };
+    let (flat, bent) = (curvatures(&moving, 0.0), curvatures(&moving, 2.0));
+    assert!(flat.iter().flatten().all(|kappa| kappa.abs() < 1e-4), "{flat:?}");
+    let expected = curvatures(&still, 0.0);
+    assert!(expected.iter().flatten().any(|kappa| kappa.abs() > 0.2), "it is bent: {expected:?}");
+    assert!(bent.iter().flatten().count() > 5, "it is seen: {bent:?}");
+    for (bent, expected) in bent.iter().zip(&expected) {
+        assert_eq!(bent.is_some(), expected.is_some());
+        let off = bent.unwrap_or(0.0) - expected.unwrap_or(0.0);
+        assert!(off.abs() < 1e-2, "{bent:?} is not {expected:?}");
+    }
 }
 
 #[test]
