@@ -145,14 +145,6 @@ impl<'a> MeshComparison<'a> {
         off: f64,
     ) -> Option<(TrueTriangle, usize)> {
         while let Some(&(number, triangle)) = queue.front() {
-<<<<<<< HEAD
-            let is_near = |order: &[usize; 3]| {
-                let truth = order.map(|corner| points[number][triangle[corner]]);
-                let mut pairs = places.iter().zip(truth);
-                pairs.all(|(place, truth)| place.distance(truth.place) <= off * truth.reach)
-            };
-            if let Some(order) = ORDERS.iter().position(is_near) {
-=======
             let distance = |order: &[usize; 3]| {
                 let truth = order.map(|corner| points[number][triangle[corner]]);
                 let pairs = places.iter().zip(truth);
@@ -166,7 +158,6 @@ impl<'a> MeshComparison<'a> {
             let orders = ORDERS.iter().map(distance).enumerate();
             let nearest = orders.min_by(|(_, a), (_, b)| a.total_cmp(b));
             if let Some((order, _)) = nearest.filter(|(_, distance)| distance.is_finite()) {
->>>>>>> wkhr
                 queue.pop_front();
                 return Some(((number, triangle), order));
             }
