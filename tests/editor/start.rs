@@ -1081,3 +1081,47 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
         chiaro::frame::open(&scene, None, &mut chiaro::frame::Assets::default()).unwrap().value;
     assert_eq!((setup.objects.len(), setup.looks.len()), (10, 10));
 }
+
+#[test]
+fn an_example_shot_opens_as_a_new_one_of_ones_own() {
+    let home = Home::new();
+    let mut hand = home.window(None);
+    open_card(&mut hand, "Open the shot Evening 020: the guest");
+    assert!(!hand.app().shows_start_page());
+    let shot = hand.app().session().shot().expect("a shot");
+    assert!(!shot.has_file() && !hand.app().session().is_dirty());
+    assert!(shot.resolved().changes.iter().any(|change| change.look.is_some()), "of its look, too");
+    assert_eq!(hand.look().name, "Guest, with shadows", "a look of the scene is open under it");
+    let open_scene = hand.app().session().open_scene().unwrap();
+    let wrong: Vec<String> = open_scene.problem_texts().map(str::to_owned).collect();
+    assert!(
+        wrong.is_empty() && compiles(&hand),
+        "{wrong:?} {:?}",
+        hand.app().session().compilation().problems()
+    );
+    // The shot is saved with the names of the examples that it changes, which are found again.
+    let file = home.file("guest.json");
+    hand.app_mut().session_mut().save_shot_as(&file).unwrap();
+    let text = fs::read_to_string(&file).unwrap();
+    for name in ["\"example:shots/evening.json\"", "\"example:shadows/lit-guest.json\""] {
+        assert!(text.contains(name), "{text}");
+    }
+    let setup =
+        chiaro::frame::open(&file, None, &mut chiaro::frame::Assets::default()).unwrap().value;
+    assert!(setup.shot.is_some() && !setup.objects.is_empty());
+    // As a recent file it has a card.
+    hand.app_mut().open(&file);
+    hand.settle();
+    hand.key_with(Modifiers::ALT, Key::Home);
+    hand.settle();
+    assert!(hand.harness.query_by_role_and_label(Role::Button, "Open the shot guest").is_some());
+}
+
+#[test]
+fn an_example_shot_opens_by_its_name() {
+    let home = Home::new();
+    let name = Path::new("example:shots/nightfall/nightfall-010.json");
+    let hand = home.window(Some(name));
+    assert!(hand.app().session().shot().is_some_and(|shot| !shot.has_file()));
+    assert!(hand.app().session().open_scene().unwrap().scene().objects.len() == 4);
+}

@@ -184,10 +184,10 @@ pub(crate) fn each_file_in_edit(
                 change_path(value, change);
             }
         }
-        Edit::AddTimeKeys { keys, .. } | Edit::SetTimeKeys { keys, .. } => {
-            if is_file(look, catalog, &keys.target) {
-                keys.keys.iter_mut().for_each(|key| change_path(&mut key.value, change));
-            }
+        Edit::AddTimeKeys { keys, .. } | Edit::SetTimeKeys { keys, .. }
+            if is_file(look, catalog, &keys.target) =>
+        {
+            keys.keys.iter_mut().for_each(|key| change_path(&mut key.value, change));
         }
         Edit::AddDirectionKeys { keys, .. } | Edit::SetDirectionKeys { keys, .. } => {
             for (target, value) in keys.keys.iter_mut().flat_map(|key| &mut key.values) {
