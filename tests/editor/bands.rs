@@ -109,18 +109,18 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     assert!(number(&hand, "cut_highlight", "stretch") > 0.2);
     let size = at(&hand, "Size");
     let way = (size - at(&hand, "Move")).normalized();
-    hand.drag(size, size + 20.0 * way);
+    hand.drag(size, size + 80.0 * way);
     hand.settle();
     let radii = ["offset", "falloff", "cutoff"].map(|port| number(&hand, "cut_highlight", port));
     assert!(radii[0] > 0.3 && radii[0] == radii[2], "larger, and hard: {radii:?}");
     let (split, center) = (at(&hand, "Split"), at(&hand, "Move"));
     let before = number(&hand, "cut_highlight", "split");
-    hand.drag(split, split + (split - center));
+    hand.drag(split, split + 1.5 * (split - center));
     hand.settle();
     let apart = number(&hand, "cut_highlight", "split");
     assert!(apart > before + 0.2, "{apart} after {before}");
 
-    // Square and star have no handles, but values beside those of the handles.
+    // Square and star have values beside their handles, as all have.
     for (label, port, value) in [("Square", "square", "0.6"), ("Star", "star", "0.25")] {
         hand.set(label, value);
         assert_eq!(number(&hand, "cut_highlight", port).to_string(), value);

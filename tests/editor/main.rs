@@ -10,6 +10,7 @@ mod editor_support;
 mod export;
 mod fit;
 mod gizmo;
+mod highlight_handles;
 mod imports;
 mod journeys;
 mod keys;

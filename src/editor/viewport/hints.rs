@@ -20,7 +20,7 @@ impl Viewport {
         match (self.drag.as_ref().or(hovered), pointer) {
             (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
             (Some(Drag::Light(held)), _) => held.hint(session),
-            (Some(Drag::Highlight(held)), _) => held.handle.hint().to_owned(),
+            (Some(Drag::Highlight(held)), _) => self.highlight.hint(held).to_owned(),
             (Some(Drag::Lights), _) => tr!(
                 "Turning the illumination frame: every light in it turns with it · Esc puts it \
                  back"

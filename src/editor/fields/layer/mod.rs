@@ -18,7 +18,7 @@ use crate::placing::Parametrization;
 use crate::state::session::Session;
 use place::NodeInGraph;
 
-pub(crate) use highlight::{SelectedHighlight, selected_highlight};
+pub(crate) use highlight::{HighlightShape, SelectedHighlight, selected_highlight};
 pub(crate) use regions::RegionLayers;
 
 /// Input with its value.

@@ -184,8 +184,8 @@ pub(super) static PRESETS: [LayerPreset; 14] = [
     LayerPreset {
         name: text!("Cut highlight"),
         help: text!(
-            "A highlight with a shape: move, turn, stretch and split it on the object; square it, \
-             or make it a star. It stands upright on any mesh"
+            "A highlight with a shape: move, turn, stretch, split and square it on the object, or \
+             make it a star. It stands upright on any mesh"
         ),
         kind: "highlight_layer",
         profile: None,
