@@ -115,7 +115,7 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     assert!(radii[0] > 0.3 && radii[0] == radii[2], "larger, and hard: {radii:?}");
     let (split, center) = (at(&hand, "Split"), at(&hand, "Move"));
     let before = number(&hand, "cut_highlight", "split");
-    hand.drag(split, split + (split - center));
+    hand.drag(split, split + 1.5 * (split - center));
     hand.settle();
     let apart = number(&hand, "cut_highlight", "split");
     assert!(apart > before + 0.2, "{apart} after {before}");
