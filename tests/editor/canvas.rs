@@ -156,6 +156,20 @@ fn a_group_is_made_opened_edited_and_dissolved() {
 }
 
 #[test]
+fn a_new_group_has_the_changed_values_as_its_own() {
+    let inputs = |values: &serde_json::Value| {
+        let mut hand = sums_with(values);
+        select(&mut hand, &["sum", "half"]);
+        hand.key_with(CTRL, Key::G);
+        hand.settle();
+        assert!(errors(&hand).is_empty(), "{:?}", errors(&hand));
+        hand.look().definitions["group"].inputs.len()
+    };
+    let [plain, changed] = [json!({}), json!({"b": 0.25})].map(|values| inputs(&values));
+    assert_eq!(changed, plain + 1, "the factor is set where the group is used");
+}
+
+#[test]
 fn a_group_opens_by_key_and_undo_leaves_one_that_is_gone() {
     let mut hand = sums();
     select(&mut hand, &["sum"]);

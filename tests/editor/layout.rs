@@ -8,7 +8,7 @@ use chiaro_locale::{tr, tr_in};
 use eframe::egui::accesskit::Toggled;
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
 use eframe::egui::{
-    FontFamily, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect, vec2,
+    FontFamily, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect, pos2, vec2,
 };
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, Node};
@@ -404,6 +404,7 @@ fn what_has_no_room_in_a_bar_is_in_its_menu() {
     assert!(hand.app().probe().is_on());
     hand.key(Key::Escape);
     // The bar of the timeline leaves room for tracks.
+    resize(&mut hand, SIZES[2]);
     show(&mut hand, "Timeline");
     hand.harness.run_steps(2);
     let place = hand.app().panel_place("Timeline").expect("the timeline is seen");
@@ -490,8 +491,17 @@ fn the_status_bar_tells_all_of_a_problem_under_the_pointer() {
     assert!(hand.says("Opacity\n"), "the node and its port: {:?}", hand.names());
 }
 
-/// Texts of the canvas's readings at a pixel, which the canvas cuts off, at two sizes.
+/// Room of the canvas, below its tab.
+fn canvas(hand: &User) -> Rect {
+    let tab = hand.place_of(Role::Tab, tr("Graph"));
+    let place = hand.app().panel_place("Graph").expect("the graph is seen");
+    Rect::from_min_max(pos2(place.left(), tab.bottom()), place.max)
+}
+
+/// Texts of the canvas's readings at a pixel that the canvas cuts off, at two sizes: with a node in
+/// the middle of the canvas, and with the node at its corner.
 pub(crate) fn cut_readings(hand: &mut User) -> Vec<String> {
+    const NODE: &str = "layer";
     let mut found = Vec::new();
     for size in [SIZES[0], SIZES[2]] {
         resize(hand, size);
@@ -503,24 +513,30 @@ pub(crate) fn cut_readings(hand: &mut User) -> Vec<String> {
         }
         hand.click(picture.center());
         hand.settle();
-        let (canvas, session) = (hand.app().canvas(), hand.app().session());
-        let nodes = ["base", "layer", "back", "output"];
-        let told = nodes.into_iter().filter_map(|id| canvas.reading_text(session, id));
-        let told: Vec<String> = told.map(str::to_owned).collect();
-        let mut seen = 0;
-        for ClippedShape { clip_rect, shape, .. } in &hand.harness.output().shapes {
-            let Shape::Text(text) = shape else { continue };
-            let is_reading = told.iter().any(|told| told == text.galley.text());
-            if !is_reading || clip_rect.left() < picture.right() {
-                continue;
+        let room = canvas(hand);
+        let (zoom, center) = hand.app().canvas().zoom_and_center();
+        let node = hand.app().canvas().node_rect(NODE).expect("the graph has it");
+        let node = center + (node.center() - room.center()) / zoom;
+        for to_corner in [0.0, 0.95] {
+            let center = node + room.size() / 2.0 * to_corner;
+            hand.app_mut().canvas_mut().set_zoom_and_center(1.0, center);
+            hand.harness.run_steps(2);
+            let (canvas, session) = (hand.app().canvas(), hand.app().session());
+            let told = canvas.reading_text(session, NODE).expect("it is probed").to_owned();
+            let mut seen = 0;
+            for ClippedShape { clip_rect, shape, .. } in &hand.harness.output().shapes {
+                let Shape::Text(text) = shape else { continue };
+                if text.galley.text() != told || !room.expand(2.0).contains_rect(*clip_rect) {
+                    continue;
+                }
+                seen += 1;
+                let place = text.visual_bounding_rect();
+                if !clip_rect.expand(1.0).contains_rect(place) || text.galley.elided {
+                    found.push(format!("{size:?}, {to_corner}: {told:?} at {place:?}"));
+                }
             }
-            seen += 1;
-            let place = text.visual_bounding_rect();
-            if !clip_rect.expand(1.0).contains_rect(place) || text.galley.elided {
-                found.push(format!("{size:?}: {:?} at {place:?}", text.galley.text()));
-            }
+            assert!(seen > 0, "{told:?} is on the canvas at {size:?}, {to_corner}");
         }
-        assert!(seen > 0, "values of {told:?} are on the canvas");
     }
     found
 }

@@ -10,6 +10,9 @@ use eframe::egui::{Id, Role, Ui, UiBuilder, WidgetInfo};
 
 use super::menu;
 
+/// Least width of the button of the menu, in points.
+const BUTTON: f32 = 20.0;
+
 /// Layout of a bar: indices of its parts by row. The index `shown`, where a row has it, is the
 /// button of the menu with the parts from there on.
 #[derive(Debug, PartialEq)]
@@ -71,7 +74,7 @@ pub(crate) fn overflowing<P: Copy + Debug + Hash>(
     let (gap, room) = (ui.spacing().item_spacing.x, ui.available_width());
     let planned = |ui: &Ui| {
         let widths: Vec<f32> = keys.iter().map(|key| known(ui, *key)).collect();
-        BarPlan::new(&widths, gap, room, rows, known(ui, more))
+        BarPlan::new(&widths, gap, room, rows, known(ui, more).max(BUTTON))
     };
     let plan = planned(ui);
     let mut is_new = false;
@@ -98,6 +101,8 @@ pub(crate) fn overflowing<P: Copy + Debug + Hash>(
     }
     if is_new || planned(ui) != plan {
         ui.ctx().request_discard("the parts of a bar have other widths");
+        // Where the frame cannot be drawn anew, the next one is right.
+        ui.ctx().request_repaint();
     }
 }
 
