@@ -747,7 +747,7 @@ fn what_is_typed_right_after_its_key_goes_to_the_palette() {
     assert_eq!(hand.look().graph.nodes, look.graph.nodes, "nothing of it reached the graph");
 }
 
-/// Where a file cannot be written, the field stays, with the whole reason.
+/// The field stays where a file cannot be written, with the whole reason.
 #[test]
 fn a_path_that_cannot_be_written_is_asked_for_again() {
     let home = Home::new();

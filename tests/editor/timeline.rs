@@ -265,7 +265,7 @@ fn shift_on_the_ruler_chooses_the_part_that_is_played() {
     assert!(!hand.has("Whole range") && close(hand.app().session().view().time(), 1.5));
 }
 
-/// Where the playhead stands over an end of the range, its head is the playhead's.
+/// The head of the playhead is its own where it stands over an end of the range.
 #[test]
 fn the_playhead_is_dragged_off_an_end_of_the_range() {
     let mut hand = keyed();

@@ -359,6 +359,12 @@ pub(crate) struct GltfTruth {
 }
 
 impl GltfTruth {
+    /// True if the specification, which wants unit quaternions for rotations, leaves open how the
+    /// file's are meant: digits were left out of one.
+    pub(crate) fn has_blurred_rotations(&self) -> bool {
+        self.nodes.iter().any(|node| (node.rotation.length() - 1.0).abs() > 1e-5)
+    }
+
     /// Reads a file.
     ///
     /// # Errors

@@ -451,7 +451,7 @@ pub(crate) fn compare(mesh: &Mesh, truth: &GltfTruth) -> Result<ComparedCounts, 
     Ok(compared.told)
 }
 
-/// What became of an asset.
+/// The verdict on an asset.
 enum AssetVerdict {
     Equal(ComparedCounts),
     /// Errors with which the file was refused.
@@ -488,6 +488,9 @@ fn verdict(path: &Path) -> Result<AssetVerdict, String> {
     let truth = GltfTruth::read(&bytes, &sibling)?;
     if truth.has_copies {
         return Ok(AssetVerdict::InPart("copies of meshes are not computed anew".to_owned()));
+    }
+    if truth.has_blurred_rotations() {
+        return Ok(AssetVerdict::InPart("a rotation is no unit quaternion".to_owned()));
     }
     compare(&mesh, &truth).map(AssetVerdict::Equal)
 }

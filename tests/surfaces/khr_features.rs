@@ -1,4 +1,4 @@
-//! What sample assets of the Khronos Group show, in files of our own that are made here, each
+//! Features of the Khronos Group's sample assets in files of our own that are made here, each
 //! against the same computed anew from the specification (`khr_assets`): SimpleSkin, SimpleMorph,
 //! AnimatedMorphCube, MorphStressTest, RiggedSimple, RiggedFigure, CesiumMan, BoxAnimated,
 //! InterpolationTest, RecursiveSkeletons, AnimatedTriangle, SimpleSparseAccessor and Cameras.

@@ -18,14 +18,14 @@ use crate::state::paths::absolute;
 use crate::state::pictures::CarriedPicture;
 use crate::state::scene::carried::is_free;
 
-/// What becomes of the files that lie with a document which is saved into another folder: those
-/// that lie elsewhere are shared, and are linked in any case.
+/// Way of the files that lie with a document which is saved into another folder: those that lie
+/// elsewhere are shared, and are linked in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) enum OwnFiles {
-    /// Named by another way; nothing is copied.
+    /// Other names for the same files; nothing is copied.
     #[default]
     Linked,
-    /// Copied beside the document.
+    /// Copies beside the document.
     Copied,
 }
 
