@@ -67,6 +67,7 @@ use crate::tools::probe::Probe;
 use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
 use crate::viewport::picture::{MissingPicture, ViewportPicture};
+use crate::widgets::pacing::EventPacer;
 use crate::widgets::{spots, theme};
 use files::PendingAction;
 use welcome::StartPage;
@@ -128,6 +129,7 @@ impl App {
         render_state: Option<eframe::egui_wgpu::RenderState>,
     ) -> Self {
         theme::apply(ctx);
+        ctx.add_plugin(EventPacer::default());
         ctx.set_theme(egui::ThemePreference::Dark);
         let waker = || {
             let ctx = ctx.clone();

@@ -8,6 +8,7 @@ pub(crate) mod icon;
 pub(crate) mod menu;
 pub(crate) mod number;
 pub(crate) mod overflow;
+pub(crate) mod pacing;
 pub(crate) mod picker;
 pub(crate) mod ramp;
 pub(crate) mod rows;
