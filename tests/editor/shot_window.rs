@@ -113,6 +113,11 @@ fn width_and_height_are_typed_faster_than_frames_are_drawn() {
     hand.harness.input_mut().events.extend(all);
     hand.settle();
     assert_eq!(shot(&hand).size, Some([640, 360]));
+    hand.click(width);
+    hand.type_text("99999");
+    hand.key(Key::Enter);
+    assert_eq!(shot(&hand).size, Some([32_768, 360]));
+    assert_eq!(hand.app().message(), Some("At most 32768"));
 }
 
 #[test]

@@ -68,7 +68,7 @@ use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
 use crate::viewport::picture::{MissingPicture, ViewportPicture};
 use crate::widgets::pacing::EventPacer;
-use crate::widgets::{spots, theme};
+use crate::widgets::{number, spots, theme};
 use files::PendingAction;
 use welcome::StartPage;
 
@@ -500,6 +500,7 @@ impl App {
             // A change of this frame is only seen in the next one.
             ui.ctx().request_repaint();
         }
+        self.message = number::take_note(ui.ctx()).or(self.message.take());
         self.lay_out();
         let is_held = ui.input(|input| input.pointer.any_down());
         self.session.commit(is_held);

@@ -7,6 +7,7 @@ pub(crate) mod handle;
 pub(crate) mod icon;
 pub(crate) mod menu;
 pub(crate) mod number;
+mod number_text;
 pub(crate) mod overflow;
 pub(crate) mod pacing;
 pub(crate) mod picker;
