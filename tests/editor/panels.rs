@@ -245,6 +245,27 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
 }
 
+/// A window so low that the bars above the picture leave it no room, or hardly any.
+#[test]
+fn a_comparison_needs_no_room() {
+    let mut hand = User::drawing_with(|app, _| app);
+    compare_with(&mut hand, "Compare", "Exact");
+    let before = hand.harness.ctx.content_rect().size();
+    for size in [vec2(400.0, 300.0), vec2(400.0, 130.0), vec2(400.0, 90.0), before] {
+        hand.harness.set_size(size);
+        hand.harness.run_steps(4);
+        hand.settle();
+        // A texture without a pixel ends here, where it is made.
+        hand.harness.render().unwrap();
+        assert!(!hand.says("refused our work"), "{size}: {:?}", hand.names());
+        if size.y >= 300.0 {
+            let height = picture(&hand).height();
+            assert!(height >= 30.0, "{size}: the picture is {height} points high");
+        }
+    }
+    assert!(hand.app().wipe().figures().is_some(), "with room it goes on");
+}
+
 #[test]
 fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     use chiaro::accuracy::MeasuredTier;

@@ -45,7 +45,12 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
 .with_bar(|tools, ui, session| tools.of_mut::<Wipe>().bar(ui, session))
 .with_overlay(|tools, ui, PictureContext { session, rect, response, .. }, _| {
     let wipe = tools.of_mut::<Wipe>();
-    wipe.update(ui, session, picture_size(*rect, ui.pixels_per_point()));
+    // Where bars leave the picture no room there is nothing to compare, and no texture of it.
+    let size = picture_size(*rect, ui.pixels_per_point());
+    if size.contains(&0) {
+        return;
+    }
+    wipe.update(ui, session, size);
     wipe.over(ui, *rect, response.contains_pointer());
 })
 .with_jobs(|tools| tools.of::<Wipe>());
