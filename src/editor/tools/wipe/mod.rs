@@ -37,9 +37,8 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     |tools| tools.of::<Wipe>().against.is_some(),
     |tools, ui, out| {
         // Pictures beside the viewport's would be in the way of strokes.
-        if !tools.of::<FitTool>().is_on() {
-            show::choice(tools, ui, out);
-        }
+        let is_free = !tools.of::<FitTool>().is_on();
+        ui.add_enabled_ui(is_free, |ui| show::choice(tools, ui, out));
     },
 )
 .with_bar(|tools, ui, session| tools.of_mut::<Wipe>().bar(ui, session))
