@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use chiaro::document::Edit;
 use chiaro_locale::{tr, tr_in};
 use eframe::egui::accesskit::Toggled;
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
@@ -338,6 +339,22 @@ fn the_bar_of_a_narrow_picture_has_room_for_the_list_of_meshes() {
         look_at(&mut hand, &mut found, size, "a look without a scene");
     }
     assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn a_long_name_leaves_the_word_changed_in_sight() {
+    let home = Home::new();
+    let path = home.file("a-look-whose-name-is-longer-than-the-bar-of-the-window.json");
+    std::fs::write(&path, LOOK).unwrap();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&path);
+    hand.settle();
+    resize(&mut hand, SIZES[0]);
+    assert!(!hand.has("changed"));
+    let edit = Edit::SetLookTags { tags: "dusk".to_owned() };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert!(hand.has("changed"), "{:?}", hand.names());
 }
 
 /// Faults of the sheet of shortcuts in windows from 400x300 points on.

@@ -3,7 +3,7 @@
 use crate::editor_support;
 use crate::editor_support::User;
 use eframe::egui::{Key, Rect, vec2};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 fn picture(hand: &User) -> Rect {
     hand.app().viewport().rect().unwrap()
@@ -243,6 +243,25 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
     hand.harness.run_steps(12);
     hand.settle();
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+}
+
+#[test]
+fn compare_stays_in_the_bar_while_light_is_painted() {
+    let mut hand = User::drawing_with(|app, _| app);
+    let may_compare = |hand: &User| {
+        let mut all = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::ComboBox);
+        let compare = all.find(|node| node.value().as_deref() == Some("Compare"));
+        !compare.expect("it is in the bar").accesskit_node().is_disabled()
+    };
+    assert!(may_compare(&hand));
+    let over = picture(&hand).center();
+    hand.hover(over);
+    hand.key(Key::L);
+    hand.settle();
+    assert!(hand.app().fitting().is_on() && !may_compare(&hand));
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!hand.app().fitting().is_on() && may_compare(&hand));
 }
 
 /// A window so low that the bars above the picture leave it no room, or hardly any.
