@@ -245,6 +245,30 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
 }
 
+/// A slow machine has no time for them then.
+#[test]
+fn small_pictures_wait_while_a_file_is_asked_for() {
+    use chiaro::document::{Edit, GraphId, Value};
+    let mut hand = User::drawing_coarsely(|app, _| app.with_path_fields());
+    hand.settle();
+    let before = hand.app().small_pictures();
+    assert!(before > 0, "layers have small pictures");
+    hand.press("Open");
+    let edit = Edit::SetValue {
+        graph: GraphId::Look,
+        id: "base".into(),
+        port: "color".into(),
+        value: Value::Vector(vec![0.1, 0.2, 0.9]),
+        index: None,
+    };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert_eq!(hand.app().small_pictures(), before);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(hand.app().small_pictures() > before, "they are drawn afterwards");
+}
+
 #[test]
 fn compare_stays_in_the_bar_while_light_is_painted() {
     let mut hand = User::drawing_with(|app, _| app);

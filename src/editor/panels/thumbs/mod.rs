@@ -148,7 +148,8 @@ pub(crate) struct Thumbs {
     seen: (DocumentNumber, LookRevision),
     seen_at: f64,
     rests: bool,
-    /// True while the first large picture is being made, which wakes the window.
+    /// True while the first large picture is being made, which wakes the window, or a dialog is
+    /// open, whose end does.
     waits: bool,
     /// Progress of the thumbnail that was requested last.
     progress: RefCell<Progress>,
@@ -205,15 +206,14 @@ impl Thumbs {
             self.pictures.insert(key, texture);
         }
         let now = ui.input(|input| input.time);
-        self.waits = session.awaits_first_picture;
-        let seen = (session.revisions().document, session.revision());
-        let is_held = ui.input(|input| input.pointer.any_down());
         // A slow machine has no time for thumbnails while a file is asked for or opened.
-        let is_asked = keyboard::is_dialog_open(ui.ctx());
-        if is_asked || self.waits {
+        self.waits = session.awaits_first_picture || keyboard::is_dialog_open(ui.ctx());
+        if self.waits {
             self.progress.borrow().stop();
         }
-        if is_asked || self.seen != seen || is_held || session.is_compiling() || self.waits {
+        let seen = (session.revisions().document, session.revision());
+        let is_held = ui.input(|input| input.pointer.any_down());
+        if self.seen != seen || is_held || session.is_compiling() || self.waits {
             self.seen = seen;
             self.seen_at = now;
         }
