@@ -16,7 +16,9 @@ use egui_kittest::kittest::Queryable as _;
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
-use crate::layout::{MENUS, ROUNDS, SIZES, collect, cut_readings, faults, opened};
+use crate::layout::{
+    MENUS, ROUNDS, SIZES, collect, crowded, cut_readings, faults, opened, sheet_faults,
+};
 
 /// Environment variable of a process that was started for one test.
 const ALONE: &str = "CHIARO_TEST_ALONE";
@@ -137,6 +139,28 @@ fn german_panels_have_room() {
     hand.app_mut().session_mut().select(vec!["layer".into()]);
     let found = faults(&mut hand, &ROUNDS, &SIZES, &[SIZES[0]]);
     assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn german_buttons_have_room_in_a_small_window_at_twice_the_scale() {
+    if !is_alone("german_buttons_have_room_in_a_small_window_at_twice_the_scale") {
+        return;
+    }
+    let mut settings = Settings::default();
+    settings.language = Some("de".to_owned());
+    settings.speak();
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let buttons = ["Optionen", "Ebene hinzufügen", "Kopieren"];
+    let mut found = crowded(&mut hand, &["Picture", "Layers", "Code"], &buttons);
+    found.extend(sheet_faults(&mut hand, "Schließen"));
+    // Without a scene the bar has the list of meshes, too.
+    let look = home.file("look.json");
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&look);
+    hand.settle();
+    found.extend(crowded(&mut hand, &["Picture"], &buttons));
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
 }
 
 /// Pyramid without normals, which the import makes and tells of.

@@ -4,11 +4,12 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use chiaro::document::Edit;
 use chiaro_locale::{tr, tr_in};
 use eframe::egui::accesskit::Toggled;
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
 use eframe::egui::{
-    FontFamily, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect, pos2, vec2,
+    FontFamily, Id, Key, LayerId, Modifiers, Order, Rect, Role, Vec2, WidgetRect, pos2, vec2,
 };
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, Node};
@@ -338,6 +339,89 @@ fn the_bar_of_a_narrow_picture_has_room_for_the_list_of_meshes() {
         look_at(&mut hand, &mut found, size, "a look without a scene");
     }
     assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn a_long_name_leaves_the_word_changed_in_sight() {
+    let home = Home::new();
+    let path = home.file("a-look-whose-name-is-longer-than-the-bar-of-the-window.json");
+    std::fs::write(&path, LOOK).unwrap();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&path);
+    hand.settle();
+    resize(&mut hand, SIZES[0]);
+    assert!(!hand.has("changed"));
+    let edit = Edit::SetLookTags { tags: "dusk".to_owned() };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert!(hand.has("changed"), "{:?}", hand.names());
+}
+
+/// Faults of the sheet of shortcuts in windows from 400x300 points on.
+pub(crate) fn sheet_faults(hand: &mut User, close: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for (size, pixels) in [SIZES[0], SIZES[1], SIZES[3], ([800.0, 600.0], 2.0)] {
+        resize(hand, (size, pixels));
+        hand.key(Key::F1);
+        hand.harness.run_steps(3);
+        let at = format!("{size:?}@{pixels}");
+        let window = hand.harness.ctx.content_rect();
+        match hand.harness.query_by_role_and_label(Role::Button, close) {
+            Some(button) if window.contains_rect(button.rect()) => {}
+            button => drop(found.insert(format!("{at}: {:?}", button.map(|it| it.rect())))),
+        }
+        let area = hand.harness.ctx.memory(|memory| memory.area_rect(Id::unique("sheet")));
+        if area.is_none_or(|area| !window.contains_rect(area)) {
+            found.insert(format!("{at}: the sheet {area:?} is not within {window:?}"));
+        }
+        if let Some(button) = hand.harness.query_by_role_and_label(Role::Button, close) {
+            let at = button.rect().center();
+            hand.click(at);
+        }
+        if hand.harness.query_by_role_and_label(Role::Button, close).is_some() {
+            found.insert(format!("{at}: it stays open"));
+        }
+    }
+    found
+}
+
+#[test]
+fn the_sheet_of_shortcuts_lies_within_every_window_with_its_button() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let found = sheet_faults(&mut hand, "Close");
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+/// Buttons of panels that other widgets or texts lie over in a window of 400x300 points.
+pub(crate) fn crowded(hand: &mut User, panels: &[&str], buttons: &[&str]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for panel in panels {
+        resize(hand, SIZES[0]);
+        show(hand, panel);
+        resize(hand, ([800.0, 600.0], 2.0));
+        let at = format!("400x300 {panel}");
+        let widgets = widgets(hand);
+        let mut all = BTreeSet::new();
+        overlapping(&widgets, &mut all, &at);
+        let is_of = |fault: &String| buttons.iter().any(|button| fault.contains(button));
+        found.extend(all.into_iter().filter(is_of));
+        let mut texts = Vec::new();
+        for ClippedShape { clip_rect, shape, .. } in &hand.harness.output().shapes {
+            let mut own = Vec::new();
+            collect(shape, &mut own);
+            texts.extend(own.into_iter().map(|(rect, text)| (rect.intersect(*clip_rect), text)));
+        }
+        for (rect, text) in texts.iter().filter(|(_, text)| buttons.contains(&text.as_str())) {
+            let lies_over = |(other, words): &&(Rect, String)| {
+                let shared = rect.intersect(*other);
+                words != text && shared.width() > 2.0 && shared.height() > 2.0
+            };
+            let over = texts.iter().filter(lies_over);
+            found.extend(over.map(|(_, other)| format!("{at}: {other:?} lies over {text:?}")));
+        }
+    }
+    found
 }
 
 /// Least size of a panel that was opened, with its row of tabs, in points; and height of one that

@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use eframe::egui::{Rect, Role};
+use eframe::egui::{Key, Rect, Role};
 use egui_kittest::kittest::Queryable as _;
 
 use crate::editor_support::home::Home;
@@ -106,6 +106,26 @@ fn a_layer_goes_from_one_look_to_another() {
     let told = hand.app().message().unwrap_or_default().to_owned();
     assert!(told.contains("\"bad\" cannot be read") && *hand.look() == before, "{told}");
     assert!(hand.harness.query_by_label("Part Rim of the moon, layer").is_none());
+}
+
+#[test]
+fn enter_in_a_field_of_a_new_part_saves_it() {
+    let home = Home::new();
+    let from = home.file("from.json");
+    fs::write(&from, FROM).unwrap();
+    let mut hand = home.window(Some(&from));
+    hand.settle();
+    hand.press("More of Rim");
+    hand.press("Save to the library…");
+    hand.settle();
+    let tags = hand.place_of(Role::TextInput, "Tags of the part").center();
+    hand.click(tags);
+    hand.type_text("edge silver");
+    hand.key(Key::Enter);
+    hand.settle();
+    let told = hand.app().message().unwrap_or_default().to_owned();
+    assert!(told.contains("The layer \"Rim\" is saved as"), "{told}");
+    assert!(hand.has("Part Rim, layer"));
 }
 
 #[test]

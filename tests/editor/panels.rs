@@ -3,7 +3,7 @@
 use crate::editor_support;
 use crate::editor_support::User;
 use eframe::egui::{Key, Rect, vec2};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 fn picture(hand: &User) -> Rect {
     hand.app().viewport().rect().unwrap()
@@ -243,6 +243,70 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
     hand.harness.run_steps(12);
     hand.settle();
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
+}
+
+/// A slow machine has no time for them then.
+#[test]
+fn small_pictures_wait_while_a_file_is_asked_for() {
+    use chiaro::document::{Edit, GraphId, Value};
+    let mut hand = User::drawing_coarsely(|app, _| app.with_path_fields());
+    hand.settle();
+    let before = hand.app().small_pictures();
+    assert!(before > 0, "layers have small pictures");
+    hand.press("Open");
+    let edit = Edit::SetValue {
+        graph: GraphId::Look,
+        id: "base".into(),
+        port: "color".into(),
+        value: Value::Vector(vec![0.1, 0.2, 0.9]),
+        index: None,
+    };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert_eq!(hand.app().small_pictures(), before);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(hand.app().small_pictures() > before, "they are drawn afterwards");
+}
+
+#[test]
+fn compare_stays_in_the_bar_while_light_is_painted() {
+    let mut hand = User::drawing_with(|app, _| app);
+    let may_compare = |hand: &User| {
+        let mut all = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::ComboBox);
+        let compare = all.find(|node| node.value().as_deref() == Some("Compare"));
+        !compare.expect("it is in the bar").accesskit_node().is_disabled()
+    };
+    assert!(may_compare(&hand));
+    let over = picture(&hand).center();
+    hand.hover(over);
+    hand.key(Key::L);
+    hand.settle();
+    assert!(hand.app().fitting().is_on() && !may_compare(&hand));
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!hand.app().fitting().is_on() && may_compare(&hand));
+}
+
+/// A window so low that the bars above the picture leave it no room, or hardly any.
+#[test]
+fn a_comparison_needs_no_room() {
+    let mut hand = User::drawing_with(|app, _| app);
+    compare_with(&mut hand, "Compare", "Exact");
+    let before = hand.harness.ctx.content_rect().size();
+    for size in [vec2(400.0, 300.0), vec2(400.0, 130.0), vec2(400.0, 90.0), before] {
+        hand.harness.set_size(size);
+        hand.harness.run_steps(4);
+        hand.settle();
+        // A texture without a pixel ends here, where it is made.
+        hand.harness.render().unwrap();
+        assert!(!hand.says("refused our work"), "{size}: {:?}", hand.names());
+        if size.y >= 300.0 {
+            let height = picture(&hand).height();
+            assert!(height >= 30.0, "{size}: the picture is {height} points high");
+        }
+    }
+    assert!(hand.app().wipe().figures().is_some(), "with room it goes on");
 }
 
 #[test]

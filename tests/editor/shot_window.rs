@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, ShotEdit, Value};
 use chiaro::editor::App;
 use chiaro::frame::{Assets, open};
-use eframe::egui::{Key, Modifiers, Role, vec2};
+use eframe::egui::{Event, Key, Modifiers, Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use crate::editor_support::User;
@@ -90,6 +90,34 @@ fn markers_are_the_shots_and_those_under_it_are_seen() {
     assert_eq!(Shot::read(&read(&home.file("shot.json")), "").value.unwrap().markers.len(), 2);
     assert_eq!(read(&home.file("scene.json")), SCENE);
     assert_eq!(read(&home.file("look.json")), LOOK);
+}
+
+/// A frame of the window takes longer than a key of a quick user, while a large picture is drawn.
+#[test]
+fn width_and_height_are_typed_faster_than_frames_are_drawn() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.tab("Shot");
+    hand.bring(Role::SpinButton, "Width");
+    let width = hand.place_of(Role::SpinButton, "Width").center();
+    hand.click(width);
+    let text = |text: &str| Event::Text(text.to_owned());
+    let key = |key| Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    let all = [text("6"), text("40"), key(Key::Tab), text("360"), key(Key::Enter)];
+    hand.harness.input_mut().events.extend(all);
+    hand.settle();
+    assert_eq!(shot(&hand).size, Some([640, 360]));
+    hand.click(width);
+    hand.type_text("99999");
+    hand.key(Key::Enter);
+    assert_eq!(shot(&hand).size, Some([32_768, 360]));
+    assert_eq!(hand.app().message(), Some("At most 32768"));
 }
 
 #[test]

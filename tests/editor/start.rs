@@ -782,6 +782,23 @@ fn a_path_that_cannot_be_written_is_asked_for_again() {
 }
 
 #[test]
+fn a_path_that_leads_nowhere_is_typed_again_at_once() {
+    let home = Home::new();
+    let path = opened_once(&home);
+    let mut hand = User::with(|ctx| App::new(ctx, None).with_path_fields());
+    hand.settle();
+    press(&mut hand, "Open");
+    let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect();
+    hand.type_over(field, home.file("nowhere.json").to_str().unwrap());
+    assert!(says(&hand, "There is no such file"));
+    hand.key_with(Modifiers::COMMAND, Key::A);
+    hand.type_text(path.to_str().unwrap());
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_eq!(hand.app().session().path(), Some(&*path));
+}
+
+#[test]
 fn keys_typed_in_a_dialog_are_the_dialogs_alone() {
     let home = Home::new();
     let path = home.file("toonsnx.json");

@@ -260,6 +260,11 @@ impl App {
             let text = tr!("Closing the window keeps them: they are offered at the next start");
             help.push(text.to_owned());
         }
+        let whole = ui.fonts_mut(|fonts| fonts.layout_job(job.clone())).size().x;
+        if is_any_changed && whole > ui.available_width() {
+            // The end of a long name may be cut off, but not that it is changed.
+            ui.label(egui::RichText::new(tr!(" changed").trim_start()).color(colors.accent));
+        }
         let label = ui.add(egui::Label::new(job).truncate());
         if !help.is_empty() {
             label.on_hover_text(help.join("\n"));
@@ -341,7 +346,8 @@ fn menu_with(
         button.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), row.label)
         });
-        if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
+        menu::why_disabled(&button, why.unwrap_or_default());
+        if button.clicked() {
             commands.push(row.command.clone());
             ui.close();
         }
@@ -363,7 +369,8 @@ fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     let mut entry = |ui: &mut Ui, label: &str, help: &str, command: Option<Command>| {
         let button = ui.add_enabled(command.is_some(), egui::Button::new(label));
         button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, command.is_some(), label));
-        let button = button.on_hover_text(help).on_disabled_hover_text(help);
+        let button = button.on_hover_text(help);
+        menu::why_disabled(&button, help);
         if let Some(command) = command.filter(|_| button.clicked()) {
             commands.push(command);
             ui.close();

@@ -67,7 +67,8 @@ use crate::tools::probe::Probe;
 use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
 use crate::viewport::picture::{MissingPicture, ViewportPicture};
-use crate::widgets::{spots, theme};
+use crate::widgets::pacing::EventPacer;
+use crate::widgets::{number, spots, theme};
 use files::PendingAction;
 use welcome::StartPage;
 
@@ -128,6 +129,7 @@ impl App {
         render_state: Option<eframe::egui_wgpu::RenderState>,
     ) -> Self {
         theme::apply(ctx);
+        ctx.add_plugin(EventPacer::default());
         ctx.set_theme(egui::ThemePreference::Dark);
         let waker = || {
             let ctx = ctx.clone();
@@ -498,6 +500,7 @@ impl App {
             // A change of this frame is only seen in the next one.
             ui.ctx().request_repaint();
         }
+        self.message = number::take_note(ui.ctx()).or(self.message.take());
         self.lay_out();
         let is_held = ui.input(|input| input.pointer.any_down());
         self.session.commit(is_held);

@@ -123,8 +123,11 @@ impl PathField {
                     answer = Some(None);
                 }
             });
-            if enters && verdict == PathEffect::Folder {
-                self.go_into();
+            match verdict {
+                PathEffect::Folder if enters => self.go_into(),
+                // It is typed again.
+                PathEffect::Bad(_) if enters => self.is_new = true,
+                _ => {}
             }
         });
         if modal.should_close() {

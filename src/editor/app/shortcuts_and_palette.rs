@@ -6,7 +6,7 @@ use std::sync::Arc;
 use chiaro_locale::{Text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{
-    Align, Align2, Event, Key, Label, Layout, Modifiers, RichText, ScrollArea, TextEdit, Ui,
+    Align, Align2, Event, Key, Label, Layout, Modifiers, RichText, ScrollArea, TextEdit, Ui, Vec2,
     WidgetInfo, vec2,
 };
 
@@ -24,6 +24,14 @@ use crate::widgets::theme;
 const WIDTH: f32 = 420.0;
 /// Width of the sheet of shortcuts, in points.
 const SHEET: f32 = 1080.0;
+/// Least width of a column of shortcuts, in points.
+const COLUMN: f32 = 320.0;
+/// Distance of the sheet from the window's top, where the bar stays in sight, in points.
+const BELOW_BAR: f32 = 70.0;
+/// Height of a window, in points, below which the sheet covers the bar.
+const LOW: f32 = 500.0;
+/// Least distance of the sheet from the edges of the window, in points.
+const APART: f32 = 8.0;
 /// Height of the palette's rows, in points.
 const ROW: f32 = 24.0;
 /// Largest number of listed nodes; a longer query finds the others.
@@ -111,13 +119,20 @@ impl Sheet {
         let (mut chosen, is_new) = (None, shown.is_new());
         let early = &mut self.early;
         let screen = ui.ctx().content_rect();
-        // A window may be narrower than the sheet.
+        // A window may be narrower than the sheet, and hardly higher than a few of its rows.
         let width = if matches!(shown, OpenSheet::Shortcuts { .. }) { SHEET } else { WIDTH };
+        let frame = egui::Frame::popup(ui.style());
+        let around = frame.total_margin().sum();
+        let width = width.min(screen.width() - around.x - 2.0 * APART);
+        let top = if screen.height() < LOW { APART } else { BELOW_BAR };
+        let height = screen.height() - top - around.y - APART;
+        let mut is_closed = false;
         let area = egui::Area::new(egui::Id::unique("sheet")).order(egui::Order::Foreground);
-        let area = area.fixed_pos(screen.center_top() + vec2(-width / 2.0, 70.0));
+        let left = -(width + around.x) / 2.0;
+        let area = area.fixed_pos(screen.center_top() + vec2(left, top));
         let response = area.show(ui.ctx(), |ui| {
-            egui::Frame::popup(ui.style()).show(ui, |ui| match shown {
-                OpenSheet::Shortcuts { .. } => show_shortcuts(ui, screen.height() - 180.0),
+            frame.show(ui, |ui| match shown {
+                OpenSheet::Shortcuts { .. } => is_closed = show_shortcuts(ui, vec2(width, height)),
                 OpenSheet::Commands { query, index, is_new } => {
                     // Nothing takes the keyboard while the palette's size is found.
                     if *is_new && !ui.is_sizing_pass() {
@@ -125,7 +140,8 @@ impl Sheet {
                         ui.input_mut(|input| input.events.append(early));
                         ui.memory_mut(|memory| memory.request_focus(query_id()));
                     }
-                    chosen = show_commands(ui, session, query, index);
+                    let size = vec2(width, height);
+                    chosen = show_commands(ui, session, query, index, size);
                 }
             });
         });
@@ -133,7 +149,7 @@ impl Sheet {
             let press = input.pointer.any_pressed().then(|| input.pointer.interact_pos()).flatten();
             press.is_some_and(|press| !response.response.rect.contains(press))
         });
-        if chosen.is_some() || is_outside && !is_new {
+        if chosen.is_some() || is_closed || is_outside && !is_new {
             self.open = None;
         }
         chosen
@@ -149,29 +165,60 @@ impl OpenSheet {
     }
 }
 
-fn show_shortcuts(ui: &mut Ui, height: f32) {
-    ui.set_width(SHEET);
-    ui.heading(tr!("Shortcuts"));
+/// Shows the shortcuts in as many columns as have room. Returns true if the sheet is to be closed.
+fn show_shortcuts(ui: &mut Ui, size: Vec2) -> bool {
+    ui.set_width(size.x);
+    let top = ui.cursor().top();
+    let head = ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let is_closed = ui.button(tr!("Close")).clicked();
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let heading = RichText::new(tr!("Shortcuts")).heading();
+                ui.add(Label::new(heading).truncate());
+            });
+            is_closed
+        })
+    });
     ui.spacing_mut().item_spacing.y = 1.0;
+    let height = (size.y - (ui.cursor().top() - top)).max(ROW);
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
-        ui.columns(3, |columns| {
-            let [left, middle, right] = columns else { return };
-            let graph: Vec<(String, String)> = rows(KeyScope::Graph).collect();
-            let (first, second) = graph.split_at(graph.len().div_ceil(2));
-            list(left, KeyScope::Graph.label(), first);
-            list(middle, " ", second);
-            list(left, KeyScope::Painting.label(), &rows(KeyScope::Painting).collect::<Vec<_>>());
-            let told = |rows: &[(Text, Text)]| -> Vec<(String, String)> {
-                rows.iter().map(|(key, what)| (key.to_string(), what.to_string())).collect()
-            };
-            list(middle, tr!("With the pointer, on the tile"), &told(PAINTING_POINTER));
-            list(middle, tr!("In the light table"), &told(LIGHT_TABLE));
-            for place in [KeyScope::Window, KeyScope::Picture, KeyScope::Light] {
-                list(right, place.label(), &rows(place).collect::<Vec<_>>());
+        let count = ((ui.available_width() / COLUMN) as usize).clamp(1, 3);
+        ui.columns(count, |columns| {
+            for (title, rows) in sections(count) {
+                let shortest = |a: &&mut Ui, b: &&mut Ui| {
+                    a.min_rect().height().total_cmp(&b.min_rect().height())
+                };
+                if let Some(column) = columns.iter_mut().min_by(shortest) {
+                    list(column, title, &rows);
+                }
             }
-            list(right, tr!("With the pointer, in the graph"), &told(POINTER));
         });
     });
+    head.inner.inner
+}
+
+/// Titles and rows of the sheet's parts, for so many columns: the longest part is in two halves
+/// beside each other.
+fn sections(columns: usize) -> Vec<(&'static str, Vec<(String, String)>)> {
+    let told = |rows: &[(Text, Text)]| -> Vec<(String, String)> {
+        rows.iter().map(|(key, what)| (key.to_string(), what.to_string())).collect()
+    };
+    let mut graph: Vec<(String, String)> = rows(KeyScope::Graph).collect();
+    let half = if columns > 1 { graph.len().div_ceil(2) } else { graph.len() };
+    let rest = graph.split_off(half);
+    let mut all = vec![(KeyScope::Graph.label(), graph)];
+    if !rest.is_empty() {
+        all.push((" ", rest));
+    }
+    for place in [KeyScope::Window, KeyScope::Picture, KeyScope::Light, KeyScope::Painting] {
+        all.push((place.label(), rows(place).collect()));
+    }
+    all.extend([
+        (tr!("With the pointer, in the graph"), told(POINTER)),
+        (tr!("With the pointer, on the tile"), told(PAINTING_POINTER)),
+        (tr!("In the light table"), told(LIGHT_TABLE)),
+    ]);
+    all
 }
 
 /// Rows of a place; the nine bookmarks are listed as one.
@@ -229,8 +276,10 @@ fn show_commands(
     session: &Session,
     query: &mut String,
     index: &mut usize,
+    size: Vec2,
 ) -> Option<Command> {
-    ui.set_width(WIDTH);
+    ui.set_width(size.x);
+    let top = ui.cursor().top();
     let key = |ui: &Ui, key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     if key(ui, Key::ArrowDown) {
         *index += 1;
@@ -252,10 +301,11 @@ fn show_commands(
     let entries = entries(session, query);
     *index = (*index).min(entries.len().saturating_sub(1));
     let mut chosen = enter.then_some(*index);
+    let height = (size.y - (ui.cursor().top() - top)).clamp(ROW, ROW * 14.0);
     ui.spacing_mut().item_spacing.y = 0.0;
     ScrollArea::vertical()
-        .max_height(ROW * 14.0)
-        .min_scrolled_height(ROW * 14.0)
+        .max_height(height)
+        .min_scrolled_height(height)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             for (place, entry) in entries.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Color32, DragValue, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, color_picker, vec2,
+    Color32, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, color_picker, vec2,
 };
 
 use super::icons;
@@ -11,7 +11,7 @@ use crate::commands::PaintTool;
 use crate::document::ColorSpace;
 use crate::hcbtf::paint::{Pressure, Symmetry};
 use crate::widgets::color;
-use crate::widgets::number::{number_field, number_slider};
+use crate::widgets::number::{NumberField, number_field, number_slider};
 use crate::widgets::theme;
 
 /// Side of a color of the palette, in points.
@@ -129,7 +129,7 @@ fn part(ui: &mut Ui, label: &str, help: &str, value: &mut f64) {
     }
 }
 
-fn named(ui: &mut Ui, label: &str, help: &str, drag: DragValue<'_>) -> bool {
+fn named(ui: &mut Ui, label: &str, help: &str, drag: NumberField<'_>) -> bool {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let id = ui.label(label).on_hover_text(help).id;

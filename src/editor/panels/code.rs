@@ -29,6 +29,9 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     },
 );
 
+/// Least width of a word beside the button, in points.
+const LEAST_WORD: f32 = 44.0;
+
 /// The panel, with the shader that it shows.
 #[derive(Default)]
 pub(crate) struct Code {
@@ -97,10 +100,17 @@ impl Code {
     fn head(&self, ui: &mut Ui, shader: &CompiledShader, commands: &mut Vec<Command>) {
         let about = |ui: &mut Ui| {
             ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
+            // What has no room would lie over the button.
+            if ui.available_width() < LEAST_WORD {
+                return;
+            }
             ui.label(RichText::new("WGSL").strong());
+            if ui.available_width() < LEAST_WORD {
+                return;
+            }
             let what = trn!(count = self.lines.len(), "{count} line", "{count} lines");
             ui.label(RichText::new(what).color(theme::of(ui).dim));
-            if !shader.removed.is_empty() {
+            if !shader.removed.is_empty() && ui.available_width() > LEAST_WORD {
                 let removed: Vec<String> = shader
                     .removed
                     .iter()

@@ -29,6 +29,8 @@ use crate::widgets::theme;
 
 /// Least width of a bar that tells the number of a scene's objects at its start, in points.
 const WIDE: f32 = 370.0;
+/// Width of a bar, in points, below which the list of meshes has no room beside Options.
+const NARROW: f32 = 220.0;
 /// Room that the word about compiling takes, in points.
 const COMPILING: f32 = 70.0;
 
@@ -44,7 +46,11 @@ impl Viewport {
     ) {
         ui.horizontal(|ui| {
             let is_wide = ui.available_width() > WIDE;
+            let has_mesh = session.open_scene().is_none();
+            // Where the list of meshes would push Options out, it goes to the others without room.
+            let is_mesh_listed = has_mesh && ui.available_width() < NARROW;
             match session.open_scene() {
+                None if is_mesh_listed => {}
                 None => mesh_choice(ui, session, out),
                 Some(open_scene) if is_wide => objects_link(ui, open_scene, out),
                 Some(_) => {}
@@ -59,10 +65,11 @@ impl Viewport {
                 ));
                 let switches: Vec<&ToolRow> = PictureTools::of_bar().collect();
                 let linked = session.open_scene().filter(|_| !is_wide);
-                let count = switches.len() + usize::from(linked.is_some());
-                let parts: Vec<usize> = (0..count).collect();
+                let is_last = linked.is_some() || is_mesh_listed;
+                let parts: Vec<usize> = (0..switches.len() + usize::from(is_last)).collect();
                 overflowing(ui, "switches", 1, &parts, |ui, part| match switches.get(part) {
                     Some(tool) => (tool.switch)(tools, ui, out),
+                    None if is_mesh_listed => mesh_choice(ui, session, out),
                     None => linked.into_iter().for_each(|scene| objects_link(ui, scene, out)),
                 });
                 if session.is_compiling() && ui.available_width() > COMPILING {
@@ -273,7 +280,7 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         .map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
     let shown = shape.map_or(file.as_str(), |shape| shape.label.tr());
     let combo = egui::ComboBox::from_id_salt("mesh").width(MESH).truncate().height(MESHES);
-    let combo = combo.selected_text(shown).show_ui(ui, |ui| {
+    let response = menu::choice(ui, combo, shown, |ui| {
         for shape in SHAPES {
             let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
             let [label, help] = [shape.label, shape.help].map(Text::tr);
@@ -291,7 +298,7 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             out.push(Command::ShowOn(None));
         }
     });
-    let response = combo.response.on_hover_text(tr!("The mesh that the look is shown on"));
+    let response = response.on_hover_text(tr!("The mesh that the look is shown on"));
     response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("mesh" => "On")));
 }
 

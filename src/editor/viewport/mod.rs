@@ -35,7 +35,9 @@ mod surface;
 
 use chiaro_locale::tr;
 use eframe::egui;
-use eframe::egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
+use eframe::egui::{
+    CursorIcon, PointerButton, Pos2, Rect, Response, Role, ScrollArea, Sense, Ui, WidgetInfo,
+};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -75,6 +77,8 @@ use surface::{Key as SurfaceKey, Surface, Surfaces};
 
 /// Speed of the turntable, as a horizontal drag in heights of the picture per second.
 const TURNTABLE: f64 = -0.25;
+/// Height that rows of controls leave the picture, in points.
+const LEAST_PICTURE: f32 = 40.0;
 
 /// Drag that is under way.
 #[derive(Clone, Debug, PartialEq)]
@@ -195,7 +199,7 @@ impl Viewport {
         let mut out = Vec::new();
         let mut view = session.view.orbit.clone();
         self.bar(ui, session, &mut view, tools, &mut out);
-        tools.bars(ui, session);
+        tool_bars(ui, session, tools);
         self.take_exports(ui, &mut out);
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let (rect, beside) =
@@ -280,7 +284,8 @@ impl Viewport {
             return out;
         };
         let owner = tools.with_pointer();
-        let size = picture_size(rect, ui.pixels_per_point());
+        // No texture has a side of no pixel, however little room there is.
+        let size = picture_size(rect, ui.pixels_per_point()).map(|side| side.max(1));
         let (flip, playback) = tools.pair::<FlipBook, Playback>();
         flip.exposure = self.exposure;
         flip.show_by(session.view().display());
@@ -732,6 +737,31 @@ impl BackgroundJobs for Viewport {
         self.surfaces.wait();
         self.exports.wait();
         self.colors.wait();
+    }
+}
+
+/// Shows the rows of controls of the tools. Where they would leave the picture less than its least
+/// height, they scroll.
+fn tool_bars(ui: &mut Ui, session: &Session, tools: &mut PictureTools) {
+    let key = ui.scope_id().with("height of the rows of the tools");
+    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+    let most = (ui.available_height() - LEAST_PICTURE).max(row);
+    // The height is that of the frame before.
+    let known: f32 = ui.data(|data| data.get_temp(key)).unwrap_or_default();
+    let height = if known > most {
+        let area = ScrollArea::vertical().id_salt("tools").max_height(most);
+        let area = area.min_scrolled_height(row).auto_shrink([false, true]);
+        area.show(ui, |ui| tools.bars(ui, session)).content_size.y
+    } else {
+        let top = ui.cursor().top();
+        tools.bars(ui, session);
+        ui.cursor().top() - top
+    };
+    if (height - known).abs() > 0.5 {
+        ui.data_mut(|data| data.insert_temp(key, height));
+        if (height > most) != (known > most) {
+            ui.ctx().request_discard("the rows of the tools have another height");
+        }
     }
 }
 

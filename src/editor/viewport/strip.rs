@@ -5,8 +5,8 @@
 use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{
-    Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, TextWrapMode, Ui, UiBuilder,
-    Vec2, WidgetText, pos2, vec2,
+    Align2, Frame, Id, Margin, Rect, Response, RichText, TextWrapMode, Ui, UiBuilder, Vec2,
+    WidgetText, pos2, vec2,
 };
 
 use crate::commands::Command;
@@ -16,7 +16,7 @@ use crate::fields::edge::{self, EdgeField};
 use crate::fields::layer::{Curve, SelectedLayer, Setting};
 use crate::state::session::Session;
 use crate::widgets::color;
-use crate::widgets::number::number_field;
+use crate::widgets::number::{NumberField, number_field};
 use crate::widgets::theme;
 
 /// Least height of a picture with a strip, in points.
@@ -287,7 +287,7 @@ fn surface(
 
 fn number<T>(
     ui: &mut Ui,
-    widget: DragValue<'_>,
+    widget: NumberField<'_>,
     setting: &Setting<T>,
     name: &str,
     help: &str,

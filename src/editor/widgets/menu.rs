@@ -1,7 +1,9 @@
 //! Contents of menus that may be higher than the window, and menus that hold other controls.
 
 use eframe::egui::containers::menu::{MenuButton, MenuConfig, is_in_menu};
-use eframe::egui::{ComboBox, PopupCloseBehavior, Response, ScrollArea, Ui, WidgetText};
+use eframe::egui::{
+    ComboBox, PopupCloseBehavior, RectAlign, Response, ScrollArea, Tooltip, Ui, WidgetText,
+};
 
 /// Room of a window that a menu leaves above and below itself, in points.
 const MARGIN: f32 = 44.0;
@@ -41,4 +43,11 @@ pub(crate) fn choice(
         return ui.menu_button(text, |ui| scrolling(ui, add)).response;
     }
     combo.selected_text(text).show_ui(ui, add).response
+}
+
+/// Tells beside a disabled entry of a menu why it is so: below, the text would cover the next one.
+pub(crate) fn why_disabled(response: &Response, why: impl Into<WidgetText>) {
+    let mut tooltip = Tooltip::for_disabled(response);
+    tooltip.popup = tooltip.popup.align(RectAlign::RIGHT_START);
+    tooltip.show(|ui| ui.label(why));
 }

@@ -14,6 +14,7 @@ use crate::state::session::Session;
 use crate::state::stack::Stack;
 use crate::state::stack::mask::{self, INVERTED, SOURCES, VERTEX_COLOR};
 use crate::state::stack::tree::LayerTree;
+use crate::widgets::menu;
 
 /// Shows the entries that mask a layer, or that change the mask which it has.
 pub(super) fn menu(
@@ -52,7 +53,8 @@ pub(super) fn menu(
     };
     let button = Button::new(tr!("Clip to the layer below"));
     let clip = ui.add_enabled(is_free && clipping.is_some(), button);
-    if clip.on_hover_text(&help).on_disabled_hover_text(&help).clicked()
+    menu::why_disabled(&clip, &help);
+    if clip.on_hover_text(&help).clicked()
         && let Some((_, coverage)) = clipping
     {
         add(session, Stack::mask_by(look, layer, &coverage), out);
@@ -67,7 +69,8 @@ pub(super) fn menu(
             let unsaved = tr!("Save the look first: the mask is a picture beside its file");
             let is_saved = session.path().is_some();
             let button = ui.add_enabled(is_saved, Button::new(tr!("Paint on the model")));
-            if button.on_hover_text(help).on_disabled_hover_text(unsaved).clicked() {
+            menu::why_disabled(&button, unsaved);
+            if button.on_hover_text(help).clicked() {
                 out.push(Command::Mask(MaskCommand::New(layer.clone())));
             }
             sources(ui, session, (tree, stack), layer, out);

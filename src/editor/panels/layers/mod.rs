@@ -15,7 +15,8 @@ use std::sync::Arc;
 use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::{
-    EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
+    EventFilter, Key, Label, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui,
+    pos2,
 };
 
 use super::thumbs::{Shot, Thumbs, key_on, surroundings_key};
@@ -50,6 +51,9 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     |bench, ui, context| bench.memory.of::<Layers>().show(ui, context.session, &bench.thumbs),
 )
 .with_jobs(|bench| &bench.thumbs);
+
+/// Least width of the number of layers beside the button, in points.
+const LEAST_COUNT: f32 = 44.0;
 
 /// The panel, and the layers that it found in the graph.
 #[derive(Default)]
@@ -220,7 +224,11 @@ impl Layers {
                          reorder, or into a folder; Alt and an arrow key move the one with the \
                          keyboard. Ctrl and Shift select several, which are hidden, faded, moved \
                          and deleted together.");
-                ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
+                // Without room it would lie over the button.
+                if ui.available_width() > LEAST_COUNT {
+                    let label = Label::new(RichText::new(text).color(theme::of(ui).dim));
+                    ui.add(label.truncate()).on_hover_text(help);
+                }
             });
         });
         ui.add_space(2.0);

@@ -27,6 +27,8 @@ use crate::widgets::theme;
 pub(super) const ROW: f32 = 52.0;
 /// Width below which a row shows no thumbnail, in points.
 const NARROW: f32 = 230.0;
+/// Greatest height of the list of blend modes, in points: room for all of them.
+const MODE_LIST: f32 = 420.0;
 /// Width of the number that is a layer's opacity, in points.
 const NUMBER: f32 = 46.0;
 /// Side of a thumbnail, in points.
@@ -457,7 +459,7 @@ impl Row<'_> {
         let has_mask = mask::of(self.session.look(), self.id).is_some();
         let beside = NUMBER + if has_mask { ICON + 8.0 } else { 4.0 };
         let width = (ui.available_width() - beside).clamp(40.0, 82.0);
-        let combo = ComboBox::from_id_salt("mode").width(width).truncate();
+        let combo = ComboBox::from_id_salt("mode").width(width).height(MODE_LIST).truncate();
         let combo = combo.selected_text(&value).show_ui(ui, |ui| {
             for (label, known) in &modes {
                 if ui.selectable_label(*known == word, label).clicked() && *known != word {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use chiaro_locale::tr;
-use eframe::egui::{Button, ComboBox, RichText, Role, TextEdit, Ui, WidgetInfo};
+use eframe::egui::{Button, ComboBox, Key, RichText, Role, TextEdit, Ui, WidgetInfo};
 
 use super::saved::Shelf;
 use crate::commands::{Command, LibraryCommand};
@@ -35,7 +35,7 @@ impl SaveForm {
         frame(ui).show(ui, |ui| {
             let word = self.draft.kind.word();
             ui.label(RichText::new(tr!("Save to the library: {word}")).strong());
-            self.fields(ui);
+            let enters = self.fields(ui);
             let chosen = self
                 .folder
                 .as_ref()
@@ -45,7 +45,7 @@ impl SaveForm {
                 self.folder = self.choose_folder(ui, shelves, chosen).or(self.folder.take());
                 let there = chosen
                     .and_then(|shelf| found.iter().find(|found| found.folder == shelf.folder));
-                self.buttons(ui, chosen, there, out);
+                self.buttons(ui, (chosen, there), enters, out);
                 is_over = ui.button(tr!("Cancel")).clicked();
             });
             for note in &self.draft.notes {
@@ -55,14 +55,17 @@ impl SaveForm {
         is_over
     }
 
-    fn fields(&mut self, ui: &mut Ui) {
-        let field = |ui: &mut Ui, text: &mut String, label: &str, help: &str| {
+    /// Shows the fields; returns true if Enter was pressed in one.
+    fn fields(&mut self, ui: &mut Ui) -> bool {
+        let mut enters = false;
+        let mut field = |ui: &mut Ui, text: &mut String, label: &str, help: &str| {
             let edit = TextEdit::singleline(text)
                 .hint_text(label)
                 .desired_width(f32::INFINITY)
                 .char_limit(200);
             let response = ui.add(edit).on_hover_text(help);
             response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, label));
+            enters |= response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             response
         };
         let look = &mut self.draft.look;
@@ -74,6 +77,7 @@ impl SaveForm {
         field(ui, &mut look.tags, tr!("Tags of the part"), help);
         let help = tr!("What it shows, how it is built");
         field(ui, &mut look.about, tr!("About the part"), help);
+        enters
     }
 
     /// Shows the choice of a folder; returns another one that is chosen.
@@ -100,12 +104,12 @@ impl SaveForm {
     }
 
     /// Shows the button that saves; where the folder has a part of the name already, that which
-    /// replaces it, too.
+    /// replaces it, too. Enter saves where there is nothing to choose.
     fn buttons(
         &self,
         ui: &mut Ui,
-        chosen: Option<&Shelf>,
-        there: Option<&FoundParts>,
+        (chosen, there): (Option<&Shelf>, Option<&FoundParts>),
+        enters: bool,
         out: &mut Vec<Command>,
     ) {
         let PartDraft { kind, look, .. } = &self.draft;
@@ -136,7 +140,8 @@ impl SaveForm {
             }
             None => save_label(*kind),
         };
-        if button(ui, label).clicked()
+        let is_entered = enters && is_ready && namesake.is_none();
+        if (button(ui, label).clicked() || is_entered)
             && let Some(shelf) = chosen
         {
             out.push(Command::Library(LibraryCommand::Save(draft(), shelf.folder.clone())));

@@ -184,7 +184,7 @@ fn rgb(ui: &mut Ui, label: Id, color: &mut [f64; 3], space: ColorSpace) -> Optio
 fn factor(ui: &mut Ui, label: Id, factor: &mut f64, most: f64, normal: f64) -> Option<Id> {
     ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
     let slider = number_slider(ui, factor, 0.0..=most.min(MOST_BY_SLIDER));
-    let slider = slider.clamping(egui::SliderClamping::Never).max_decimals(3);
+    let slider = slider.unbounded().max_decimals(3);
     let response = ui.add(slider).labelled_by(label);
     *factor = if factor.is_finite() { factor.max(0.0) } else { normal };
     response.changed().then_some(response.id)

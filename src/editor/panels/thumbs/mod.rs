@@ -4,6 +4,7 @@
 mod scene;
 mod stage;
 
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -14,6 +15,7 @@ use glam::DVec3;
 use chiaro_locale::tr;
 use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
+use crate::commands::keyboard;
 use crate::compile::Live;
 use crate::document::Look;
 use crate::frame::{
@@ -114,6 +116,8 @@ struct ThumbRequest {
     origin: DocumentOrigin,
     subject: ThumbSubject,
     side: u32,
+    /// Progress by which the drawing is stopped.
+    progress: Progress,
 }
 
 /// Subject of a thumbnail.
@@ -131,6 +135,8 @@ struct ThumbResult {
     key: u64,
     /// Thumbnail; `None` where it cannot be drawn.
     image: Option<ColorImage>,
+    /// True if the drawing was stopped, to be asked for again.
+    is_stopped: bool,
 }
 
 /// Thumbnails of a window.
@@ -142,8 +148,11 @@ pub(crate) struct Thumbs {
     seen: (DocumentNumber, LookRevision),
     seen_at: f64,
     rests: bool,
-    /// True while the first large picture is being made, which wakes the window.
+    /// True while the first large picture is being made, which wakes the window, or a dialog is
+    /// open, whose end does.
     waits: bool,
+    /// Progress of the thumbnail that was requested last.
+    progress: RefCell<Progress>,
 }
 
 impl Thumbs {
@@ -156,14 +165,17 @@ impl Thumbs {
     ) -> Self {
         let start = |gpu: Gpu| {
             let mut thumb_renderer = ThumbRenderer {
-                executor: gpu.executor(),
+                executor: None,
+                window: gpu,
                 planner: CachedPlanner::new(|assets| {
                     Planner::new(assets).culling(CullMode::Objects)
                 }),
             };
             Worker::waiting("thumbs", wake, async move |job: ThumbRequest| {
                 let _going = crashes.begin(CrashStep::Draw, || job.origin.clone());
-                ThumbResult { key: job.key, image: thumb_renderer.draw(&job).await }
+                let image = thumb_renderer.draw(&job).await;
+                let is_stopped = image.is_none() && job.progress.is_stopped();
+                ThumbResult { key: job.key, image, is_stopped }
             })
         };
         Self {
@@ -173,14 +185,18 @@ impl Thumbs {
             seen_at: 0.0,
             rests: false,
             waits: false,
+            progress: RefCell::default(),
         }
     }
 
     /// Takes finished thumbnails, and finds out whether the window rests. Call once a frame.
     pub(crate) fn update(&mut self, ui: &Ui, session: &Session) {
-        for ThumbResult { key, image } in
+        for ThumbResult { key, image, is_stopped } in
             self.worker.as_ref().map(Worker::answers).unwrap_or_default()
         {
+            if is_stopped {
+                continue;
+            }
             if self.pictures.len() >= MOST {
                 self.pictures.clear();
             }
@@ -190,7 +206,11 @@ impl Thumbs {
             self.pictures.insert(key, texture);
         }
         let now = ui.input(|input| input.time);
-        self.waits = session.awaits_first_picture;
+        // A slow machine has no time for thumbnails while a file is asked for or opened.
+        self.waits = session.awaits_first_picture || keyboard::is_dialog_open(ui.ctx());
+        if self.waits {
+            self.progress.borrow().stop();
+        }
         let seen = (session.revisions().document, session.revision());
         let is_held = ui.input(|input| input.pointer.any_down());
         if self.seen != seen || is_held || session.is_compiling() || self.waits {
@@ -334,7 +354,9 @@ impl Thumbs {
         };
         let side = (side.round() as u32).clamp(8, MAX_SIDE);
         let (origin, subject) = (origin(), subject());
-        worker.request(|_| ThumbRequest { key, origin, subject, side });
+        let progress = Progress::new();
+        self.progress.replace(progress.clone());
+        worker.request(|_| ThumbRequest { key, origin, subject, side, progress });
     }
 }
 
@@ -398,14 +420,16 @@ pub(crate) fn surroundings_key(session: &Session) -> u64 {
 
 /// Drawer of thumbnails, on their thread.
 struct ThumbRenderer {
-    executor: Box<dyn Executor + Send>,
+    executor: Option<Box<dyn Executor + Send>>,
+    /// GPU of the window, for machines that give no device beside it.
+    window: Gpu,
     planner: CachedPlanner,
 }
 
 impl ThumbRenderer {
     async fn draw(
         &mut self,
-        ThumbRequest { subject, side, .. }: &ThumbRequest,
+        ThumbRequest { subject, side, progress, .. }: &ThumbRequest,
     ) -> Option<ColorImage> {
         let options = PlanOptions { size: [side * FINER; 2], samples: 4, time: 0.0 };
         let plan = match subject {
@@ -431,7 +455,17 @@ impl ThumbRenderer {
             }
             ThumbSubject::Scene(path, assets) => scene::plan(path, &options, assets)?,
         };
-        let picture = self.executor.picture(&plan, &Progress::new()).await.ok()?;
+        progress.check().ok()?;
+        // Thumbnails have a device of their own: in the queue of the window's the next frame would
+        // wait behind them, and software takes up to a minute for a shader that it first compiles.
+        let executor = match &mut self.executor {
+            Some(executor) => executor,
+            none => {
+                let gpu = Gpu::headless().await.unwrap_or_else(|_| self.window.clone());
+                none.insert(gpu.executor())
+            }
+        };
+        let picture = executor.picture(&plan, progress).await.ok()?;
         Some(smaller(&picture, matches!(subject, ThumbSubject::Look(_, Shot::Lifted))))
     }
 }

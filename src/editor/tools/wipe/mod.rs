@@ -37,15 +37,19 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     |tools| tools.of::<Wipe>().against.is_some(),
     |tools, ui, out| {
         // Pictures beside the viewport's would be in the way of strokes.
-        if !tools.of::<FitTool>().is_on() {
-            show::choice(tools, ui, out);
-        }
+        let is_free = !tools.of::<FitTool>().is_on();
+        ui.add_enabled_ui(is_free, |ui| show::choice(tools, ui, out));
     },
 )
 .with_bar(|tools, ui, session| tools.of_mut::<Wipe>().bar(ui, session))
 .with_overlay(|tools, ui, PictureContext { session, rect, response, .. }, _| {
     let wipe = tools.of_mut::<Wipe>();
-    wipe.update(ui, session, picture_size(*rect, ui.pixels_per_point()));
+    // Where bars leave the picture no room there is nothing to compare, and no texture of it.
+    let size = picture_size(*rect, ui.pixels_per_point());
+    if size.contains(&0) {
+        return;
+    }
+    wipe.update(ui, session, size);
     wipe.over(ui, *rect, response.contains_pointer());
 })
 .with_jobs(|tools| tools.of::<Wipe>());

@@ -50,10 +50,12 @@ pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Comman
             tools.of_mut::<Wipe>().choose(chosen);
         }
     });
-    response.on_hover_text(tr!(
-        "Shows the picture beside a snapshot, a file, a reference picture, the same in another \
+    response
+        .on_hover_text(tr!(
+            "Shows the picture beside a snapshot, a file, a reference picture, the same in another \
          tier, the truth in f64, or frames of another version"
-    ));
+        ))
+        .on_disabled_hover_text(tr!("Nothing is compared while light is painted on the picture"));
 }
 
 /// Shows the pictures that the present one may be compared with, and returns the choice.
