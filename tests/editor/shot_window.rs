@@ -557,3 +557,28 @@ fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
     assert_eq!(targets(&hand), ["objects.ball.transform.translate"], "{told:?}");
     assert_eq!(shot(&hand).overrides[0].keys.len(), 1);
 }
+
+#[test]
+fn what_is_typed_over_a_list_of_values_searches_the_list() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    let canvas = hand.empty_place();
+    hand.press("Key a value");
+    // The pointer stays over the canvas, whose single keys are m and i, too.
+    hand.hover(canvas);
+    hand.type_text("intensi");
+    hand.key(Key::M);
+    hand.settle();
+    assert!(hand.has("sun of the scene: Intensity"), "{:?}", hand.names());
+    assert!(!hand.has("sun of the scene: Color"), "{:?}", hand.names());
+    assert_eq!(hand.steps(), 0, "nothing was muted");
+    hand.key(Key::Enter);
+    hand.settle();
+    let targets: Vec<String> =
+        shot(&hand).overrides.iter().map(|change| change.target.clone()).collect();
+    assert_eq!(targets, ["lights.sun.intensity"]);
+}

@@ -568,7 +568,8 @@ impl Viewport {
         if factor != 1.0 && !is_held {
             view.dolly(factor);
         }
-        if keyboard::is_keyboard_taken(ui.ctx()) {
+        // What is typed over an open list or menu is meant for that.
+        if keyboard::is_keyboard_taken(ui.ctx()) || egui::Popup::is_any_open(ui.ctx()) {
             return;
         }
         if fitting.is_on() {

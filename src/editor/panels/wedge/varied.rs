@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
 use eframe::egui::{
-    self, Button, CollapsingHeader, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
+    self, Button, CollapsingHeader, RichText, Role, TextEdit, Ui, WidgetInfo,
 };
 
 use crate::clock::Clock;
@@ -22,6 +22,7 @@ use crate::state::runs::{
 use crate::state::session::Session;
 use crate::state::wedge::free_sheet;
 use crate::widgets::color;
+use crate::widgets::menu;
 use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::text::is_typed;
@@ -53,12 +54,15 @@ pub(super) struct DrawnWedge {
     problem: Option<String>,
     /// True if the values make room for a sheet in the next frame.
     pub(super) makes_room: bool,
+    /// Search among the values that can be added.
+    search: String,
 }
 
 impl DrawnWedge {
     pub(super) fn new(wake: Arc<dyn Fn() + Send + Sync>) -> Self {
         let (varied, width) = (Vec::new(), WIDTHS[1]);
-        Self { wake, varied, width, run: None, problem: None, makes_room: false }
+        let search = String::new();
+        Self { wake, varied, width, run: None, problem: None, makes_room: false, search }
     }
 
     pub(super) fn run(&self) -> Option<&ProgramRun> {
@@ -254,21 +258,23 @@ impl DrawnWedge {
 
     /// Shows the menu of values that can vary.
     fn add_menu(&mut self, ui: &mut Ui, session: &Session) {
-        let menu = ui.menu_button(tr!("Add a value"), |ui| {
-            ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
-                let found = offered(session);
-                if found.is_empty() {
-                    hint(ui, tr!("Select a node, or add a light."));
+        let mut added = None;
+        let texts = (tr!("Add a value"), tr!("Find a value"));
+        let menu = menu::searching(ui, texts, &mut self.search, |ui, search| {
+            let found = offered(session);
+            if found.is_empty() {
+                hint(ui, tr!("Select a node, or add a light."));
+            }
+            for (label, variation) in found {
+                if search.entry(ui, &label) {
+                    added = Some(variation);
                 }
-                for (label, variation) in found {
-                    if ui.button(label).clicked() {
-                        self.vary(variation);
-                        ui.close();
-                    }
-                }
-            });
+            }
         });
-        menu.response.on_hover_text(tr!("Values of the selected nodes and of the lights"));
+        menu.on_hover_text(tr!("Values of the selected nodes and of the lights"));
+        if let Some(variation) = added {
+            self.vary(variation);
+        }
     }
 }
 

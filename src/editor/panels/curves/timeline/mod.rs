@@ -108,6 +108,8 @@ pub(crate) struct Timeline {
     went: Option<f64>,
     /// Marker whose name is typed.
     renaming: NameField,
+    /// Search among the values that can be keyed.
+    search: String,
     /// Command that was asked for by its name.
     asked: Option<TimelineCommand>,
 }
@@ -130,6 +132,7 @@ impl Default for Timeline {
             is_deleting: false,
             went: None,
             renaming: None,
+            search: String::new(),
             asked: None,
         }
     }
