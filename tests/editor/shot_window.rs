@@ -582,3 +582,27 @@ fn what_is_typed_over_a_list_of_values_searches_the_list() {
         shot(&hand).overrides.iter().map(|change| change.target.clone()).collect();
     assert_eq!(targets, ["lights.sun.intensity"]);
 }
+
+#[test]
+fn lights_of_a_look_that_the_scene_replaces_are_not_offered() {
+    let home = Home::new();
+    let look = LOOK.replacen("{", r#"{"lights": {"sun": {"direction": [0, 0, 1]},
+        "lamp": {"direction": [1, 0, 0]}},"#, 1);
+    assert!(!LOOK.contains("\"lights\""), "the look has none of its own");
+    write(&home, &[("look.json", &look), ("scene.json", SCENE), ("shot.json", SHOT)]);
+    let mut hand = home.window(Some(&home.file("shot.json")));
+    hand.settle();
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    hand.press("Key a value");
+    hand.type_text("direction");
+    hand.settle();
+    assert!(hand.has("sun of the scene: Direction"), "{:?}", hand.names());
+    assert!(hand.has("lamp: Direction"), "{:?}", hand.names());
+    assert!(!hand.has("sun: Direction"), "{:?}", hand.names());
+    let [scene, look] =
+        ["sun of the scene: Direction", "lamp: Direction"].map(|name| hand.place(name).center().y);
+    assert!(scene < look);
+}

@@ -11,7 +11,7 @@ use eframe::egui::{
 use crate::clock::Clock;
 use crate::commands::{Command, FilmCommand};
 use crate::document::{ColorSpace, Target, Value, parse_hex};
-use crate::fields::lighting::OwnedKeys;
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::wedge::{selected_values, variation_of};
 use crate::files::make_folder;
 use crate::panels::frames::command_text;
@@ -282,9 +282,11 @@ impl DrawnWedge {
 fn offered(session: &Session) -> Vec<(String, Variation)> {
     let of_look = OwnedKeys::of_look(session);
     let of_nodes = selected_values(session).into_iter().map(|target| (of_look, target));
-    let owners = OwnedKeys::all(session);
+    let owners = [Owner::Scene, Owner::Look].into_iter();
+    let owners = owners.filter_map(|owner| OwnedKeys::of(session, owner));
     let of_lights = owners.flat_map(|owned| {
-        owned.look().lights.iter().flat_map(move |(id, light)| {
+        let lights = owned.look().lights.iter().filter(move |(id, _)| !owned.is_replaced(id));
+        lights.flat_map(move |(id, light)| {
             let fields = light.fields().map(|field| field.name().to_owned());
             fields.map(move |field| (owned, Target::Light { light: id.clone(), field }))
         })

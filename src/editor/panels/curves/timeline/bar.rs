@@ -7,7 +7,7 @@ use eframe::egui::{Button, ComboBox, RichText, Role, Ui, WidgetInfo};
 use super::{Timeline, rows, shot_tracks, transport};
 use crate::commands::Command;
 use crate::document::Target;
-use crate::fields::lighting::OwnedKeys;
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::tools::PictureTools;
@@ -189,8 +189,11 @@ fn add_value(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut 
             hint(ui, tr!("Select a node to key its values."));
         }
         shot_tracks::menu((ui, search), session, out);
-        for owned in super::owners(session) {
-            for (id, light) in &owned.look().lights {
+        // The scene's light first: it is what the picture shows.
+        let owners = [Owner::Scene, Owner::Look];
+        for owned in owners.into_iter().filter_map(|owner| OwnedKeys::of(session, owner)) {
+            let lights = owned.look().lights.iter().filter(|(id, _)| !owned.is_replaced(id));
+            for (id, light) in lights {
                 for field in light.fields().map(|field| field.name().to_owned()) {
                     let target = Target::Light { light: id.clone(), field };
                     entry((ui, search), owned, &target, out);
