@@ -470,8 +470,14 @@ impl Session {
     /// A diagnostic with the reason; the old file is then unchanged.
     pub fn save_shot_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         if let Some(shot) = self.shot_mut() {
+            let is_own = shot.path() == path;
             shot.save_as(path)?;
-            self.scene_changed();
+            // A file with the same name and content is the same picture, and frames of it stay.
+            if is_own {
+                self.sync_scene();
+            } else {
+                self.scene_changed();
+            }
         }
         Ok(())
     }
