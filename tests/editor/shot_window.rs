@@ -586,9 +586,8 @@ fn what_is_typed_over_a_list_of_values_searches_the_list() {
 #[test]
 fn lights_of_a_look_that_the_scene_replaces_are_not_offered() {
     let home = Home::new();
-    let look = LOOK.replacen("{", r#"{"lights": {"sun": {"direction": [0, 0, 1]},
-        "lamp": {"direction": [1, 0, 0]}},"#, 1);
-    assert!(!LOOK.contains("\"lights\""), "the look has none of its own");
+    let own = r#""lights": {"sun": {"direction": [0, 0, 1]}, "#;
+    let look = LOOK.replacen(r#""lights": {"#, own, 1);
     write(&home, &[("look.json", &look), ("scene.json", SCENE), ("shot.json", SHOT)]);
     let mut hand = home.window(Some(&home.file("shot.json")));
     hand.settle();
@@ -600,9 +599,40 @@ fn lights_of_a_look_that_the_scene_replaces_are_not_offered() {
     hand.type_text("direction");
     hand.settle();
     assert!(hand.has("sun of the scene: Direction"), "{:?}", hand.names());
-    assert!(hand.has("lamp: Direction"), "{:?}", hand.names());
+    assert!(hand.has("key: Direction"), "{:?}", hand.names());
     assert!(!hand.has("sun: Direction"), "{:?}", hand.names());
     let [scene, look] =
-        ["sun of the scene: Direction", "lamp: Direction"].map(|name| hand.place(name).center().y);
+        ["sun of the scene: Direction", "key: Direction"].map(|name| hand.place(name).center().y);
     assert!(scene < look);
+}
+
+#[test]
+fn the_timeline_has_the_frames_and_the_rate_of_the_shot_after_undo_too() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    hand.settle();
+    assert_eq!(range(&hand), [0.0, 48.0]);
+    hand.app_mut().session_mut().set_time(0.5);
+    for edit in [
+        ShotEdit::SetFrames { frames: Some([0, 12]) },
+        ShotEdit::SetRate { rate: Some("24000/1001".parse().unwrap()) },
+    ] {
+        hand.app_mut().session_mut().apply_to_shot(edit, None).unwrap();
+        hand.settle();
+    }
+    assert_eq!(range(&hand), [0.0, 12.0]);
+    let frame = |hand: &User| hand.app().session().view().time() * 24000.0 / 1001.0;
+    assert!((frame(&hand) - 12.0).abs() < 1e-4, "{}", frame(&hand));
+    hand.undo();
+    hand.undo();
+    hand.settle();
+    assert_eq!(range(&hand), [0.0, 48.0]);
+    assert_eq!(hand.app().session().view().time(), 0.5, "frame 12 again");
+    hand.redo();
+    hand.settle();
+    assert_eq!(range(&hand), [0.0, 12.0]);
 }

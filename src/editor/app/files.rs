@@ -177,11 +177,7 @@ impl App {
     ///
     /// # Errors
     /// The problem that was reported.
-    pub(super) fn write_look(
-        &mut self,
-        path: &Path,
-        own: OwnFiles,
-    ) -> Result<(), Box<Diagnostic>> {
+    pub(super) fn write_look(&mut self, path: &Path, own: OwnFiles) -> Result<(), Box<Diagnostic>> {
         let saved = self.session.save_named(path, own);
         let told = saved.as_ref().map(MovedPictures::told).unwrap_or_default();
         self.tell_saved(path, saved.map(drop))?;

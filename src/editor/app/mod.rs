@@ -666,9 +666,7 @@ impl App {
             }
         }
         let escape = (Modifiers::NONE, Key::Escape);
-        let is_free = self.path_field.is_none()
-            && self.pending.is_none()
-            && !has_list;
+        let is_free = self.path_field.is_none() && self.pending.is_none() && !has_list;
         if self.start.is_some() && is_free && keyboard::take(ui, escape) {
             commands.push(Command::ShowStart(false));
         }

@@ -76,11 +76,9 @@ impl App {
     }
 
     fn apply_to_shot(&mut self, ui: &Ui, command: ShotCommand) {
-        let frames = |app: &Self| app.session.shot().map(|shot| shot.scene().time);
-        let before = frames(self);
         match command {
-            ShotCommand::New => return self.new_shot(false),
-            ShotCommand::NewOver => return self.new_shot(true),
+            ShotCommand::New => self.new_shot(false),
+            ShotCommand::NewOver => self.new_shot(true),
             ShotCommand::Edit(edit) => self.tell(|session| session.apply_to_shot(edit, None)),
             ShotCommand::EditHeld(widget, edit) => {
                 let gesture = self.gesture(ui, widget);
@@ -94,9 +92,6 @@ impl App {
             ShotCommand::ResetAll => self.tell(Session::reset_all_in_shot),
             ShotCommand::KeyCameraOfFile => self.tell(Session::key_camera_of_file),
             ShotCommand::Show(at) => self.show_value(ui, &at),
-        }
-        if frames(self) != before {
-            self.play_frames_of_shot();
         }
     }
 

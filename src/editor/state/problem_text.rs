@@ -49,10 +49,8 @@ fn idle_light(look: LookWithLibrary<'_>, problem: &Diagnostic) -> Option<String>
     let Target::Light { light, .. } = &target else { return None };
     let [name, value] = look.names_of(&target);
     look.look.lights.contains_key(light).then(|| {
-        tr!(
-            "{name}: {value} of the look changes nothing: the scene's light stands in its place. \
-             Reset it in Shot, and set {name} of the scene."
-        )
+        tr!("{name}: {value} of the look changes nothing: the scene's light stands in its place. \
+             Reset it in Shot, and set {name} of the scene.")
     })
 }
 

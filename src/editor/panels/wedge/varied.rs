@@ -4,9 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
-use eframe::egui::{
-    self, Button, CollapsingHeader, RichText, Role, TextEdit, Ui, WidgetInfo,
-};
+use eframe::egui::{self, Button, CollapsingHeader, RichText, Role, TextEdit, Ui, WidgetInfo};
 
 use crate::clock::Clock;
 use crate::commands::{Command, FilmCommand};
