@@ -304,7 +304,7 @@ impl<'a> EdgeField<'a> {
     fn menu(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let (keys, look) = (self.session.keys(), self.session.look());
         ui.set_min_width(190.0);
-        if ui.button(tr!("Key at the playhead")).clicked() {
+        if ui.button(tr!("Key here")).clicked() {
             out.push(Command::Edit(keys.key_together_in_time(&self.targets)));
             out.push(Command::ShowPanel(PanelId::TIMELINE));
         }

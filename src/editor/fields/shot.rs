@@ -113,22 +113,28 @@ impl<'s> ChangedValue<'s> {
         }
     }
 
-    /// Shows the entries of a menu: the way back, and a key.
+    /// Shows the entries of a menu: a key, and apart from that the way back.
     pub(crate) fn menu(self, ui: &mut Ui, out: &mut Vec<Command>) {
-        let mut push = |command| out.push(Command::Scene(SceneCommand::Shot(command)));
         let at = ShotAddress::of(self.change);
+        if at.can_move() {
+            let help = tr!("Keeps the present value at this frame; at others it may be another");
+            if ui.button(tr!("Key here")).on_hover_text(help).clicked() {
+                out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Key(at))));
+                ui.close();
+            }
+            ui.separator();
+        }
+        self.reset(ui, out);
+    }
+
+    /// Shows the entry that takes the change back.
+    pub(crate) fn reset(self, ui: &mut Ui, out: &mut Vec<Command>) {
         let reset = ui.add_enabled(self.is_own(), Button::new(self.reset_label()));
         let by = tr!("{shot} changes it: open that to take it back", shot = self.by());
         let reset = reset.on_hover_text(self.help()).on_disabled_hover_text(by);
         if reset.clicked() {
-            push(ShotCommand::Reset(at.clone()));
-            ui.close();
-        }
-        let help = tr!("Keeps the present value at this frame; at others it may be another");
-        if at.can_move()
-            && ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked()
-        {
-            push(ShotCommand::Key(at));
+            let at = ShotAddress::of(self.change);
+            out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Reset(at))));
             ui.close();
         }
     }

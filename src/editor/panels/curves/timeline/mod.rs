@@ -224,7 +224,7 @@ impl Timeline {
             hint(
                 ui,
                 tr!("Nothing changes with time yet. Press the diamond beside a value in the \
-                     inspector and choose \"Key in time\", or add a value above; then move the \
+                     inspector and choose \"Key here\", or add a value above; then move the \
                      playhead and set it to something else."),
             );
         } else {
