@@ -9,7 +9,7 @@ use eframe::egui::{Button, Color32, Popup, Rect, Role, Sense, Ui, Vec2, WidgetIn
 
 use crate::commands::{Command, SceneCommand, ShotCommand};
 use crate::document::Target;
-use crate::fields::{mark, scene_names};
+use crate::fields::{edge, mark, scene_names};
 use crate::frame::{ResolvedShot, ValueChange};
 use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
@@ -87,7 +87,10 @@ impl<'s> ChangedValue<'s> {
         let is_open = self.session.shot().and_then(OpenShot::open_look).as_ref() == Some(look);
         let target = Target::parse(&self.change.target).filter(|_| is_open);
         let value = match target {
-            Some(target) => self.session.look_with_library().names_of(&target).join(": "),
+            Some(target) => {
+                let [owner, value] = self.session.look_with_library().names_of(&target);
+                format!("{owner}: {}", seen_as(self.session, &target, value))
+            }
             None => self.change.target.clone(),
         };
         let look = Path::new(look).file_stem().unwrap_or_default().to_string_lossy();
@@ -140,6 +143,14 @@ impl<'s> ChangedValue<'s> {
     }
 }
 
+/// Label of a value of the open look as fields show it: angles of one edge with the edge's name.
+fn seen_as(session: &Session, target: &Target, label: String) -> String {
+    match edge::is_of_edge(session, target) {
+        true => tr!("Edge and softness ({angle})", angle = label),
+        false => label,
+    }
+}
+
 /// Values of one row, such as a node, a light or an object, that the open shot changes, each with
 /// its label.
 pub(crate) struct ChangedRow<'s>(Vec<(String, ChangedValue<'s>)>);
@@ -157,6 +168,7 @@ impl<'s> ChangedRow<'s> {
             let Target::Input { node, .. } = &target else { return None };
             let inner = node.ids().strip_prefix(path.ids())?;
             let [owner, value] = session.look_with_library().names_of(&target);
+            let value = seen_as(session, &target, value);
             Some((if inner.is_empty() { value } else { format!("{owner}: {value}") }, changed))
         };
         Self(ChangedValue::all(session, Owner::Look).filter_map(named).collect())

@@ -27,7 +27,7 @@ use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::revision::StepTime;
 use crate::state::scene::{folder_of, real, relative};
-pub(crate) use lost::{LostChange, shots_that_change};
+pub(crate) use lost::{ChangedKind, ChangedOwner, LostChange, shots_that_change};
 pub(crate) use writing::ShotWriter;
 
 /// Frames of a new shot, and the size of its pictures, in pixels.
@@ -297,6 +297,11 @@ impl OpenShot {
                 }
                 _ => false,
             }
+    }
+
+    /// File of a look that the shot's file names.
+    pub(crate) fn file_of_look(&self, name: &str) -> PathBuf {
+        real(&folder_of(self.path()).join(name))
     }
 
     /// Name of a look in this shot's file.
