@@ -532,6 +532,8 @@ impl Viewport {
             match drag {
                 _ if delta == egui::Vec2::ZERO => {}
                 Drag::Camera => view.orbit(dx, dy),
+                // Where no light follows the frame, a turn would only be one more override.
+                Drag::Lights if !session.keys().has_turning_lights() => {}
                 Drag::Lights => view.turn_lights(dx, dy),
                 Drag::Pan => view.pan(dx, dy),
                 Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),

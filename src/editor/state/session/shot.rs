@@ -843,6 +843,33 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn lights_of_the_world_do_not_turn_by_hand() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+        let opened = |of_look: &str, of_scene: &str| {
+            let light = |space: &str| format!(r#"{{"lights": {{"sun": {{"space": "{space}"}}}}, "#);
+            put("look.json", &LOOK.replacen('{', &light(of_look), 1));
+            let object = r#""objects": [{"id": "ball", "looks": "look.json"}]}"#;
+            put("scene.json", &(light(of_scene) + r#""chiaro": "scene", "# + object));
+            let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+            session.open(&folder.path().join("scene.json")).unwrap();
+            if let Some(LookToOpen::File(path)) = session.look_to_open() {
+                session.open(&path).unwrap();
+            }
+            session
+        };
+        assert!(opened("illumination", "illumination").keys().has_turning_lights());
+        // The scene's light stands in place of the look's.
+        assert!(!opened("illumination", "world").keys().has_turning_lights());
+        let mut session = opened("world", "world");
+        assert!(!session.keys().has_turning_lights());
+        session.leave_scene(true);
+        assert!(!session.keys().has_turning_lights());
+        let new = Session::new(Arc::new(Library::built_in().clone()), || {});
+        assert!(new.keys().has_turning_lights());
+    }
+
+    #[test]
     fn a_file_under_a_shot_is_wrong_until_it_is_whole_again() {
         let folder = tempfile::tempdir().unwrap();
         let mut session = opened(folder.path());
