@@ -636,3 +636,45 @@ fn the_timeline_has_the_frames_and_the_rate_of_the_shot_after_undo_too() {
     hand.settle();
     assert_eq!(range(&hand), [0.0, 12.0]);
 }
+
+/// Number of a field, as it is told.
+fn number(hand: &User, label: &str) -> f64 {
+    let field = hand.harness.get_by_role_and_label(Role::SpinButton, label);
+    let number = || Some(field.accesskit_node().numeric_value()?.to_string());
+    let text = field.value().or_else(number).unwrap();
+    text.trim_matches(|sign: char| !sign.is_ascii_digit() && sign != '-').parse().unwrap()
+}
+
+#[test]
+fn another_name_of_a_varied_value_brings_ends_of_its_own() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    command(&mut hand, "Panel: Wedge");
+    hand.press("Add a value");
+    hand.type_text("sun intensity");
+    hand.key(Key::Enter);
+    hand.settle();
+    let end = hand.fields_called("sun.intensity to")[0];
+    hand.type_over(end, "7");
+    assert_eq!(number(&hand, "sun.intensity to"), 7.0);
+    let name = hand.text_field("Value 1");
+    hand.type_over(name, "layer.opacity");
+    hand.settle();
+    assert_eq!(number(&hand, "layer.opacity to"), 0.75, "around one half");
+}
+
+#[test]
+fn an_end_of_the_frames_leaves_the_other_where_it_is() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    let last = hand.fields_called("Last frame")[0];
+    for (typed, frames) in [("-5", [0, 0]), ("24", [0, 24])] {
+        hand.type_over(last, typed);
+        hand.settle();
+        assert_eq!(shot(&hand).frames, Some(frames));
+    }
+    let first = hand.fields_called("First frame")[0];
+    hand.type_over(first, "90");
+    hand.settle();
+    assert_eq!(shot(&hand).frames, Some([24, 24]));
+}

@@ -143,17 +143,23 @@ fn frames(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command
         for (frame, name, is_first) in
             [(&mut first, tr!("First frame"), true), (&mut last, tr!("Last frame"), false)]
         {
-            let response = ui.add(number_field(ui, frame).speed(0.2));
+            // Neither end moves the other: that would lose a number which nobody touched.
+            let (range, word) = match is_first {
+                true => (i32::MIN..=before[1], tr!("not after {last}", last = before[1])),
+                false => (before[0]..=i32::MAX, tr!("not before {first}", first = before[0])),
+            };
+            let is_at_limit = before[0] == before[1];
+            let response = ui.add(number_field(ui, frame).range(range).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+            if is_at_limit && response.has_focus() {
+                ui.label(RichText::new(&word).small().color(theme::of(ui).dim));
+            }
             if response.changed() {
-                let frames = if is_first {
-                    [*frame, before[1].max(*frame)]
-                } else {
-                    [before[0].min(*frame), *frame]
-                };
+                let frames = if is_first { [*frame, before[1]] } else { [before[0], *frame] };
                 let edit = ShotEdit::SetFrames { frames: Some(frames) };
                 push(out, ShotCommand::EditHeld(response.id, edit));
             }
+            response.on_hover_text(word);
         }
         let frame = shot.frame_at(session.view.time);
         let text = tr!("now {frame}");

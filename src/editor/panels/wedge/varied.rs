@@ -146,8 +146,14 @@ impl DrawnWedge {
         part.show(ui, |ui| {
             let mut removed = None;
             for (index, varied) in self.varied.iter_mut().enumerate() {
+                let name = varied.target.clone();
                 if row(ui, index, varied) {
                     removed = Some(index);
+                }
+                if varied.target != name
+                    && let Some(proposed) = proposed(session, &varied.target)
+                {
+                    *varied = proposed;
                 }
                 uses(ui, session, varied);
             }
@@ -274,6 +280,16 @@ impl DrawnWedge {
             self.vary(variation);
         }
     }
+}
+
+/// The variation around the present value of this name; `None` where no value has it.
+fn proposed(session: &Session, name: &str) -> Option<Variation> {
+    // Fields of lights are named without the list that files have them in.
+    let targets = [Target::parse(&format!("lights.{name}")), Target::parse(name)];
+    let owners = [Owner::Scene, Owner::Look].into_iter();
+    let mut owners = owners.filter_map(|owner| OwnedKeys::of(session, owner));
+    let of = |owned| targets.iter().flatten().find_map(|target| variation_of(owned, target));
+    owners.find_map(of).filter(|found| found.target == name)
 }
 
 /// Values that are offered, each with its label: of the selected nodes, and of the lights.
