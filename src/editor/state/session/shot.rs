@@ -70,7 +70,10 @@ impl Session {
             let message = tr!("a shot lies over the file of a scene, and there is none yet");
             return Err(vec![Diagnostic::error("impossible-edit", message)]);
         };
-        let shot = OpenShot::begun(&**self.assets.source(), &beneath)?;
+        let from = self.shot().filter(|shot| shot.has_file());
+        let near = from.and_then(|shot| shot.path().parent()).map(Path::to_path_buf);
+        let mut shot = OpenShot::begun(&**self.assets.source(), &beneath)?;
+        shot.near = near;
         let look = self.path().map(|path| LookToOpen::File(path.to_path_buf()));
         self.set_scene(OpenScene::under(shot));
         if let Some(open_scene) = &mut self.open_scene {

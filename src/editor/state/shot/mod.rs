@@ -65,6 +65,8 @@ pub struct OpenShot {
     pub(crate) shown_at: Option<f64>,
     /// View that the shot's camera had put the window in last.
     view: Option<FollowedView>,
+    /// Folder of the shot that was open when this new one was begun, near which it is saved.
+    pub(crate) near: Option<PathBuf>,
 }
 
 /// Greatest angle between two turns of the lights that are the same, in radians.
@@ -207,6 +209,7 @@ impl OpenShot {
             look: None,
             shown_at: None,
             view: None,
+            near: None,
         }
     }
 
