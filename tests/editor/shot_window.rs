@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, ShotEdit, Value};
 use chiaro::editor::App;
 use chiaro::frame::{Assets, open};
+use eframe::egui::accesskit::Toggled;
 use eframe::egui::{Key, Modifiers, Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
@@ -677,4 +678,18 @@ fn an_end_of_the_frames_leaves_the_other_where_it_is() {
     hand.type_over(first, "90");
     hand.settle();
     assert_eq!(shot(&hand).frames, Some([24, 24]));
+}
+
+#[test]
+fn the_view_menu_opens_the_panels_for_film() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press("Panels for film");
+    hand.settle();
+    hand.press("View");
+    for panel in ["Timeline", "Shot", "Render"] {
+        let of_panel = hand.harness.get_by_role_and_label(Role::CheckBox, panel);
+        assert_eq!(of_panel.accesskit_node().toggled(), Some(Toggled::True), "{panel}");
+    }
 }

@@ -14,7 +14,7 @@ use crate::fields::wedge::variation_of;
 use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
-use crate::state::keying::retime::{self, SAME_TIME};
+use crate::state::keying::retime::SAME_TIME;
 use crate::state::keying::{KeyPlace, KeyedBy, changes_in_time, has_between};
 use crate::state::session::Session;
 use crate::state::variations::{VariationKind, VariedSubject};
@@ -180,15 +180,11 @@ fn key_here(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     let track = tracks.find(|(_, track)| track.target == marked.target);
     let key = track.and_then(|(index, track)| {
         let here = track.keys.iter().position(|key| (key.time - now).abs() < SAME_TIME)?;
-        Some((index, retime::without(track, &[here])))
+        keys.without_key(index, here)
     });
-    if let Some((index, left)) = key {
+    if let Some(edit) = key {
         let help = tr!("Takes the key at the playhead away; the others stay");
         if ui.button(tr!("Remove the key here")).on_hover_text(help).clicked() {
-            let edit = match left.keys.is_empty() {
-                true => keys.unkey(&marked.target),
-                false => Edit::SetTimeKeys { index, keys: left },
-            };
             out.extend(owned.once(edit));
         }
         return;
