@@ -6,7 +6,7 @@ use super::frame_files::{FrameFile, files};
 use super::output::Output;
 use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
-use crate::files::{OutputKind, relative};
+use crate::files::{OutputKind, relative, sealed_script};
 use crate::film::comp::{COMPOSITORS, Comp, Compositor, LayerSpace, PictureParts};
 use crate::film::exr::{self, ExrContent, SampleType};
 use crate::film::{FrameList, FrameRate};
@@ -76,7 +76,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let target: Option<&Path> = arguments.output.as_ref().map(AsRef::as_ref);
     if let Some(target) = target {
         check_ending(target, arguments.to).map_err(one)?;
-        outputs.check(target, OutputKind::DOCUMENT).map_err(one)?;
+        outputs.check(target, OutputKind::SCRIPT).map_err(one)?;
     }
     let Pictures { first, parts, error } = read(arguments, &found).map_err(one)?;
     let mut warnings = Vec::new();
@@ -105,7 +105,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         output.result(text.trim_end());
         return Ok(());
     };
-    outputs.write(target, OutputKind::DOCUMENT, text.as_bytes()).map_err(one)?;
+    let script = sealed_script(&text);
+    outputs.write(target, OutputKind::SCRIPT, script.as_bytes()).map_err(one)?;
     let file = target.display().to_string();
     let opened_by = arguments.to.opened_by.replace("FILE", &file);
     output.message(&format!("{file}: {opened_by}"));

@@ -46,19 +46,40 @@ pub(super) fn counts(look: &Look, library: &Library) -> Option<TierCounts> {
 /// Sentence on the tiers that a look's nodes were given because none is named for them; `None`
 /// where every tier is named.
 pub(super) fn told(look: &Look, library: &Library) -> Option<String> {
-    let mut nodes = check(look, library, None).ok()?.value.nodes;
-    nodes.retain(|node| node.def.has_cheaper());
-    if nodes.iter().all(|node| node.tier_reason == TierReason::Named) {
-        return None;
+    told_of_all(std::iter::once(look), library)
+}
+
+/// Sentence on the tiers that the nodes of looks were given because none is named for them, all
+/// looks together; `None` where every tier is named.
+pub(super) fn told_of_all<'l>(
+    looks: impl Iterator<Item = &'l Look>,
+    library: &Library,
+) -> Option<String> {
+    let mut chosen: Vec<(&Look, Vec<Tier>)> = Vec::new();
+    for look in looks {
+        let Ok(typed) = check(look, library, None) else { continue };
+        let mut nodes = typed.value.nodes;
+        nodes.retain(|node| node.def.has_cheaper());
+        if nodes.iter().any(|node| node.tier_reason != TierReason::Named) {
+            chosen.push((look, nodes.iter().map(|node| node.tier).collect()));
+        }
     }
-    let count = |tier: Tier| nodes.iter().filter(|node| node.tier == tier).count();
+    let name = match chosen.as_slice() {
+        [] => return None,
+        [(look, _)] if look.name.is_empty() => "the look".to_owned(),
+        [(look, _)] => look.name.clone(),
+        several => format!("{} looks", several.len()),
+    };
+    let tiers = || chosen.iter().flat_map(|(_, tiers)| tiers);
+    let count = |tier: Tier| tiers().filter(|it| **it == tier).count();
     let counts = [Tier::Balanced, Tier::Exact, Tier::Fast]
         .into_iter()
         .filter(|tier| count(*tier) > 0)
         .map(|tier| format!("{} {}", count(tier), word(tier)));
     let counts: Vec<String> = counts.collect();
-    let name = if look.name.is_empty() { "the look" } else { &look.name };
-    let bound = bound_text(look.max_error);
+    // The greatest bound is true of all.
+    let most = chosen.iter().map(|(look, _)| look.max_error).fold(0.0, f64::max);
+    let bound = bound_text(most);
     Some(format!("{name}: {bound}; nodes: {}; --tier names one", counts.join(", ")))
 }
 

@@ -1,6 +1,6 @@
 //! `chiaro verify`: frames are read again, and compared with those of another run.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 use serde_json::{Value as Json, json};
@@ -9,7 +9,9 @@ use super::frame_files::{FrameFile, found, pattern_of};
 use super::output::Output;
 use super::render::PresentFrames;
 use crate::diag::Diagnostic;
-use crate::film::{FrameDifference, FrameList, FramePattern, StoredFrame};
+use crate::film::{
+    Contributions, FrameDifference, FrameList, FramePattern, MatteKind, StoredFrame,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -24,7 +26,8 @@ one size and have the same channels. Exit codes: 0 where all are whole (and equa
 
 --of plans each frame as `chiaro render` would now, and draws nothing: a frame that render would
 draw again is of another state of the document. What follows it, up to the end, are the document
-and the options that the frames were drawn with.
+and the options that the frames were drawn with. Where layers or the depth of the frames show that
+the options are others, and the document is the same, those to add are told.
 
 Beside another run the channels that both have are compared. A layer that one run has alone is
 named, and is a difference, unless --shared leaves such layers out.";
@@ -84,6 +87,8 @@ enum Verdict {
     Different(String),
     /// The frame is whole, and of another state of the document, as the reason names it.
     Stale(String),
+    /// The frame is whole, and of the document as it is now, drawn with more options.
+    OtherOptions(String),
 }
 
 impl Verdict {
@@ -95,12 +100,13 @@ impl Verdict {
             Self::Odd(_) => "odd",
             Self::Different(_) => "different",
             Self::Stale(_) => "stale",
+            Self::OtherOptions(_) => "other-options",
         }
     }
 
     /// True of a frame that says what the others are to be like.
     fn is_sound(&self) -> bool {
-        matches!(self, Self::Whole | Self::Different(_) | Self::Stale(_))
+        matches!(self, Self::Whole | Self::Different(_) | Self::Stale(_) | Self::OtherOptions(_))
     }
 
     fn reason(&self) -> &str {
@@ -110,7 +116,8 @@ impl Verdict {
             Self::Broken(reason)
             | Self::Odd(reason)
             | Self::Different(reason)
-            | Self::Stale(reason) => reason,
+            | Self::Stale(reason)
+            | Self::OtherOptions(reason) => reason,
         }
     }
 }
@@ -149,7 +156,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let mut present = match arguments.of.as_slice() {
         [] => None,
-        words => Some(PresentFrames::open(words, &arguments.files)?),
+        words => Some(DocumentFrames::open(words, &arguments.files)?),
     };
     let mut first: Option<StoredFrame> = None;
     let mut faults: Vec<(&'static str, Vec<i32>)> = Vec::new();
@@ -164,7 +171,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     for (frame, found) in found {
         let mut found = found.beside(first.as_ref());
         if let Some(present) = &mut present {
-            found = found.beside_present(frame, present, &arguments.of[0])?;
+            found = found.beside_present(frame, present)?;
         }
         let Finding { verdict, stored, comparison } = &found;
         let Comparison { difference, alone: of_one } = comparison;
@@ -193,6 +200,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
             let plural = if list.len() == 1 { "frame" } else { "frames" };
             let state = match (word, arguments.of.first()) {
                 ("stale", Some(document)) => format!("of another state of {document}"),
+                ("other-options", Some(document)) => {
+                    format!("of {document} as it is now, with more options")
+                }
                 _ => word.to_owned(),
             };
             format!("{} {plural} {state}: {}", list.len(), FrameList::of(list))
@@ -312,17 +322,12 @@ impl Finding {
     fn beside_present(
         self,
         frame: i32,
-        present: &mut PresentFrames,
-        document: &str,
+        present: &mut DocumentFrames<'_>,
     ) -> Result<Self, Vec<Diagnostic>> {
-        if !matches!(self.verdict, Verdict::Whole) {
+        let (Verdict::Whole, Some(stored)) = (&self.verdict, &self.stored) else {
             return Ok(self);
-        }
-        let plan = self.stored.as_ref().and_then(|stored| stored.plan.as_deref());
-        if present.is(frame, plan.unwrap_or_default())? {
-            return Ok(self);
-        }
-        let verdict = Verdict::Stale(format!("it is of another state of {document}"));
+        };
+        let verdict = present.verdict(frame, stored)?;
         Ok(Self { verdict, ..self })
     }
 
@@ -348,6 +353,82 @@ impl Finding {
         }
         told
     }
+}
+
+/// Frames of a document as it is now, by the options that are named for it and by more of them.
+struct DocumentFrames<'a> {
+    /// The document, and the options.
+    words: &'a [String],
+    target: &'a Path,
+    named: PresentFrames,
+    /// Options that the frames were drawn with besides, once they were sought.
+    added: Option<Option<(String, PresentFrames)>>,
+}
+
+impl<'a> DocumentFrames<'a> {
+    /// Opens the document, as [`PresentFrames::open`].
+    fn open(words: &'a [String], target: &'a Path) -> Result<Self, Vec<Diagnostic>> {
+        Ok(Self { words, target, named: PresentFrames::open(words, target)?, added: None })
+    }
+
+    /// Verdict on a whole frame.
+    fn verdict(&mut self, frame: i32, stored: &StoredFrame) -> Result<Verdict, Vec<Diagnostic>> {
+        let plan = stored.plan.as_deref().unwrap_or_default();
+        if self.named.is(frame, plan)? {
+            return Ok(Verdict::Whole);
+        }
+        let added = self.added.take().unwrap_or_else(|| self.added_to(frame, stored));
+        let document = &self.words[0];
+        if let Some((options, present)) = self.added.insert(added)
+            && present.is(frame, plan)?
+        {
+            return Ok(Verdict::OtherOptions(format!(
+                "it is of {document} as it is now, drawn with more options: add {options} after \
+                 {document}"
+            )));
+        }
+        Ok(Verdict::Stale(format!("it is of another state of {document}")))
+    }
+
+    /// Options that a frame was drawn with besides those that are named, as its layers and the
+    /// usual depths suggest; `None` where no such options draw it from the document.
+    fn added_to(&self, frame: i32, stored: &StoredFrame) -> Option<(String, PresentFrames)> {
+        let plan = stored.plan.as_deref()?;
+        for options in suggested(&stored.names()) {
+            let words = [self.words, &options].concat();
+            // Options that the document knows nothing of are not those.
+            let Ok(mut present) = PresentFrames::open(&words, self.target) else { continue };
+            if present.is(frame, plan).unwrap_or(false) {
+                return Some((options.join(" "), present));
+            }
+        }
+        None
+    }
+}
+
+/// Lists of options that may have drawn a frame with these channels.
+fn suggested(channels: &[&str]) -> Vec<Vec<String>> {
+    let mut layers: Vec<&str> =
+        channels.iter().filter_map(|name| name.rsplit_once('.')).map(|(layer, _)| layer).collect();
+    layers.dedup();
+    let has = |kind: MatteKind| layers.iter().any(|layer| layer.starts_with(kind.name()));
+    let mattes: Vec<&str> =
+        MatteKind::all().filter(|(_, kind)| has(*kind)).map(|(word, _)| word).collect();
+    let matte = (!mattes.is_empty()).then(|| format!("--matte={}", mattes.join(",")));
+    layers.retain(|layer| !MatteKind::all().any(|(_, kind)| layer.starts_with(kind.name())));
+    let aov = |word: String| Some(format!("--aov={word}"));
+    let slices = Contributions::all().map(|(word, _)| word.to_owned());
+    let aovs: Vec<Option<String>> = match layers.is_empty() {
+        true => vec![None],
+        false => slices.chain([layers.join(",")]).map(aov).collect(),
+    };
+    let depths = [None, Some("--depth=float".to_owned())];
+    let all = depths.iter().flat_map(|depth| {
+        let with = |aov: &Option<String>| [aov.clone(), matte.clone(), depth.clone()];
+        aovs.iter().map(with).collect::<Vec<_>>()
+    });
+    let lists = all.map(|options| options.into_iter().flatten().collect::<Vec<String>>());
+    lists.filter(|options| !options.is_empty()).collect()
 }
 
 #[cfg(test)]
@@ -398,5 +479,16 @@ mod tests {
             Finding { verdict: Verdict::Whole, stored, comparison: Comparison::default() };
         let told = finding.beside(Some(&first)).verdict;
         assert_eq!(told.reason(), "it lacks spec (4 channels) of the first frame");
+    }
+
+    #[test]
+    fn layers_of_a_frame_suggest_what_it_was_drawn_with() {
+        let told = |channels: &[&str]| -> Vec<String> {
+            suggested(channels).iter().map(|options| options.join(" ")).collect()
+        };
+        assert_eq!(told(&["A", "B", "G", "R"]), ["--depth=float"]);
+        let by_light = told(&["R", "light_key.R", "light_key.G", "CryptoObject00.R"]);
+        assert!(by_light.contains(&"--aov=lights --matte=objects".to_owned()), "{by_light:?}");
+        assert!(told(&["R", "depth.V"]).contains(&"--aov=depth --depth=float".to_owned()));
     }
 }

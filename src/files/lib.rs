@@ -21,6 +21,8 @@ pub use chiaro_compiler::files::{
     WalkBounds, is_utf16,
 };
 pub use disk::{Disk, read, walk};
-pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
+pub use outputs::{
+    FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished, sealed_script,
+};
 pub use paths::{relative, shortened};
 pub use write::{TextDocument, link, make_folder, read_text, write_atomic};

@@ -11,7 +11,7 @@ use chiaro::document::{
     TimeInterpolation, Value,
 };
 use chiaro::editor::App;
-use eframe::egui::{Key, Pos2, Role, pos2, vec2};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 fn at(hand: &User, label: &str) -> Pos2 {
@@ -426,7 +426,7 @@ fn what_has_no_value_of_its_own_gets_one_when_it_is_keyed() {
     click(&mut hand, "Default");
     let before = hand.look().clone();
     assert!(before.graph.nodes["diffuse"].values.get("concave").is_none());
-    for way in ["Key in time", "New keys by the view", "Expose"] {
+    for way in ["Key here", "New keys by the view", "Expose"] {
         click(&mut hand, "Keys of Concave color");
         click(&mut hand, way);
         let problems = hand.app().session().compilation().problems();
@@ -444,12 +444,22 @@ fn a_value_is_keyed_in_time_and_played() {
     select(&mut hand, &["diffuse"]);
     find(&mut hand, "Opacity");
     click(&mut hand, "Keys of Opacity");
-    click(&mut hand, "Key in time");
+    click(&mut hand, "Key here");
     assert_eq!(hand.look().time_keys[0].target, target("diffuse.opacity"));
     assert!(
         hand.harness.query_by_role_and_label(Role::Tab, "Timeline").is_some(),
         "the timeline comes up"
     );
+    // The entry is the first of the menu, and at a key takes that away.
+    find(&mut hand, "Opacity");
+    click(&mut hand, "Keys of Opacity");
+    let [here, wedge, back] = ["Remove the key here", "Wedge this value", "Reset to default"]
+        .map(|entry| at(&hand, entry).y);
+    assert!(here < wedge && wedge < back, "{here} {wedge} {back}");
+    click(&mut hand, "Remove the key here");
+    assert!(hand.look().time_keys.is_empty());
+    hand.undo();
+    hand.settle();
     // Setting the value at another time makes a second key.
     let ruler = hand.harness.get_by_label("Playhead").rect();
     hand.click(pos2(ruler.left() + 0.6 * ruler.width(), ruler.top() + 6.0));
@@ -468,6 +478,18 @@ fn a_value_is_keyed_in_time_and_played() {
     click(&mut hand, "Interpolation");
     click(&mut hand, "Stepped");
     assert_eq!(keys(&hand)[1].interpolation, TimeInterpolation::Stepped);
+    // A right click on a key shapes it, too.
+    let first = at(&hand, "Time key 1 of Diffuse: Opacity");
+    hand.hover(first);
+    for pressed in [true, false] {
+        let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
+        hand.harness.event(Event::PointerButton { pos: first, button, pressed, modifiers });
+        hand.settle();
+    }
+    click(&mut hand, "Straight");
+    assert_eq!(keys(&hand)[0].interpolation, TimeInterpolation::Linear);
+    hand.undo();
+    hand.settle();
     // The timeline plays, and only then asks for frames.
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
     click(&mut hand, "Play");

@@ -319,3 +319,31 @@ fn a_cell_of_a_wedge_is_taken_as_one_step() {
     assert_eq!(opacity(hand.look()), Some(&Value::Number(0.75)));
     assert_eq!(shot(&hand).overrides.len(), 2);
 }
+
+#[test]
+fn an_edge_that_the_shot_changes_is_named_and_reset_as_one() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    for (port, value) in [("offset", 1.0), ("falloff", 1.2), ("cutoff", 1.4)] {
+        let edit = Edit::SetValue {
+            graph: GraphId::Look,
+            id: "layer".into(),
+            port: port.into(),
+            value: Value::Number(value),
+            index: None,
+        };
+        hand.app_mut().session_mut().apply(edit, None).unwrap();
+    }
+    hand.app_mut().session_mut().select(vec!["layer".into()]);
+    hand.settle();
+    let (changed, steps) = (shot(&hand).overrides.len(), hand.steps());
+    assert_eq!(changed, 5);
+    front(&mut hand, "Shot");
+    assert!(hand.says("Edge and softness (Cut-off)"), "{:?}", hand.names());
+    assert!(hand.says("set to 80.2°"), "in degrees, as fields have it: {:?}", hand.names());
+    front(&mut hand, "Inspector");
+    hand.bring(Role::Button, "Keys of Edge");
+    hand.press("Keys of Edge");
+    hand.press("Reset to the look's");
+    assert_eq!((shot(&hand).overrides.len(), hand.steps()), (2, steps + 1), "all in one step");
+}

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, ShotEdit, Value};
 use chiaro::editor::App;
 use chiaro::frame::{Assets, open};
+use eframe::egui::accesskit::Toggled;
 use eframe::egui::{Event, Key, Modifiers, Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
@@ -584,4 +585,139 @@ fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
     let told = hand.app().message().map(str::to_owned);
     assert_eq!(targets(&hand), ["objects.ball.transform.translate"], "{told:?}");
     assert_eq!(shot(&hand).overrides[0].keys.len(), 1);
+}
+
+#[test]
+fn what_is_typed_over_a_list_of_values_searches_the_list() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    let canvas = hand.empty_place();
+    hand.press("Key a value");
+    // The pointer stays over the canvas, whose single keys are m and i, too.
+    hand.hover(canvas);
+    hand.type_text("intensi");
+    hand.key(Key::M);
+    hand.settle();
+    assert!(hand.has("sun of the scene: Intensity"), "{:?}", hand.names());
+    assert!(!hand.has("sun of the scene: Color"), "{:?}", hand.names());
+    assert_eq!(hand.steps(), 0, "nothing was muted");
+    hand.key(Key::Enter);
+    hand.settle();
+    let targets: Vec<String> =
+        shot(&hand).overrides.iter().map(|change| change.target.clone()).collect();
+    assert_eq!(targets, ["lights.sun.intensity"]);
+}
+
+#[test]
+fn lights_of_a_look_that_the_scene_replaces_are_not_offered() {
+    let home = Home::new();
+    let own = r#""lights": {"sun": {"direction": [0, 0, 1]}, "#;
+    let look = LOOK.replacen(r#""lights": {"#, own, 1);
+    write(&home, &[("look.json", &look), ("scene.json", SCENE), ("shot.json", SHOT)]);
+    let mut hand = home.window(Some(&home.file("shot.json")));
+    hand.settle();
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    hand.press("Key a value");
+    hand.type_text("direction");
+    hand.settle();
+    assert!(hand.has("sun of the scene: Direction"), "{:?}", hand.names());
+    assert!(hand.has("key: Direction"), "{:?}", hand.names());
+    assert!(!hand.has("sun: Direction"), "{:?}", hand.names());
+    let [scene, look] =
+        ["sun of the scene: Direction", "key: Direction"].map(|name| hand.place(name).center().y);
+    assert!(scene < look);
+}
+
+#[test]
+fn the_timeline_has_the_frames_and_the_rate_of_the_shot_after_undo_too() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    hand.settle();
+    assert_eq!(range(&hand), [0.0, 48.0]);
+    hand.app_mut().session_mut().set_time(0.5);
+    for edit in [
+        ShotEdit::SetFrames { frames: Some([0, 12]) },
+        ShotEdit::SetRate { rate: Some("24000/1001".parse().unwrap()) },
+    ] {
+        hand.app_mut().session_mut().apply_to_shot(edit, None).unwrap();
+        hand.settle();
+    }
+    assert_eq!(range(&hand), [0.0, 12.0]);
+    let frame = |hand: &User| hand.app().session().view().time() * 24000.0 / 1001.0;
+    assert!((frame(&hand) - 12.0).abs() < 1e-4, "{}", frame(&hand));
+    hand.undo();
+    hand.undo();
+    hand.settle();
+    assert_eq!(range(&hand), [0.0, 48.0]);
+    assert_eq!(hand.app().session().view().time(), 0.5, "frame 12 again");
+    hand.redo();
+    hand.settle();
+    assert_eq!(range(&hand), [0.0, 12.0]);
+}
+
+/// Number of a field, as it is told.
+fn number(hand: &User, label: &str) -> f64 {
+    let field = hand.harness.get_by_role_and_label(Role::SpinButton, label);
+    let number = || Some(field.accesskit_node().numeric_value()?.to_string());
+    let text = field.value().or_else(number).unwrap();
+    text.trim_matches(|sign: char| !sign.is_ascii_digit() && sign != '-').parse().unwrap()
+}
+
+#[test]
+fn another_name_of_a_varied_value_brings_ends_of_its_own() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    command(&mut hand, "Panel: Wedge");
+    hand.press("Add a value");
+    hand.type_text("sun intensity");
+    hand.key(Key::Enter);
+    hand.settle();
+    let end = hand.fields_called("sun.intensity to")[0];
+    hand.type_over(end, "7");
+    assert_eq!(number(&hand, "sun.intensity to"), 7.0);
+    let name = hand.text_field("Value 1");
+    hand.type_over(name, "layer.opacity");
+    hand.settle();
+    assert_eq!(number(&hand, "layer.opacity to"), 0.75, "around one half");
+}
+
+#[test]
+fn an_end_of_the_frames_leaves_the_other_where_it_is() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    let last = hand.fields_called("Last frame")[0];
+    for (typed, frames) in [("-5", [0, 0]), ("24", [0, 24])] {
+        hand.type_over(last, typed);
+        hand.settle();
+        assert_eq!(shot(&hand).frames, Some(frames));
+    }
+    let first = hand.fields_called("First frame")[0];
+    hand.type_over(first, "90");
+    hand.settle();
+    assert_eq!(shot(&hand).frames, Some([24, 24]));
+}
+
+#[test]
+fn the_view_menu_opens_the_panels_for_film() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press("Panels for film");
+    hand.settle();
+    hand.press("View");
+    for panel in ["Timeline", "Shot", "Render"] {
+        let of_panel = hand.harness.get_by_role_and_label(Role::CheckBox, panel);
+        assert_eq!(of_panel.accesskit_node().toggled(), Some(Toggled::True), "{panel}");
+    }
 }

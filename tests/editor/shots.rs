@@ -622,6 +622,7 @@ fn keyed_by_a_height_shots() {
     hand.app_mut().session_mut().select(vec!["diffuse".into()]);
     hand.settle();
     click(&mut hand, "Keys of Cut-off");
+    click(&mut hand, "New keys by a distance or height…");
     click(&mut hand, "New keys by: Height of \"key\"");
     click(&mut hand, "Copy key");
     save(&mut hand, "keyed-by-height");

@@ -163,6 +163,14 @@ fn a_mixture_of_states_of_a_document_is_told_by_verify_and_by_jobs() {
     let said = stage.fails(1, &[&verify[..], &["--turn-lights=30"]].concat());
     assert!(said.contains("6 frames of another state of look.json: 1-6"), "{said}");
     stage.fails(2, &[&verify[..], &["--no-such-option"]].concat());
+    // Frames with layers tell which options they were drawn with.
+    let layered = ["-o", "layered.#.exr", "--frames", "1-2", "--aov", "lights"];
+    stage.done(&[&RENDER[..], &layered].concat());
+    let of_layered = [&["verify", "layered.#.exr", "--of"][..], drawn_with].concat();
+    let said = stage.fails(1, &of_layered);
+    assert!(said.contains("add --aov=lights after look.json"), "{said}");
+    assert!(said.contains("2 frames of look.json as it is now, with more options: 1-2"), "{said}");
+    stage.done(&[&of_layered[..], &["--aov=lights"]].concat());
     // A task of an earlier state of the look is lost, and nobody sees it in the files alone.
     stage.write_look(0.5);
     for frame in [3, 4] {

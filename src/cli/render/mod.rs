@@ -320,9 +320,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         }));
     } else {
         output.message(&format!("{file}: {width}x{height}, on {adapter}"));
-        for worn in &setup.looks {
-            tier::told(&worn.look, library).iter().for_each(|told| output.message(told));
-        }
+        let looks = setup.looks.iter().map(|worn| &worn.look);
+        tier::told_of_all(looks, library).iter().for_each(|told| output.message(told));
     }
     Ok(())
 }

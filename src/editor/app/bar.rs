@@ -132,6 +132,14 @@ impl App {
                 self.dock.enter(workspace);
             }
         }
+        let help =
+            tr!("Opens the shot, its timeline and the rendering of its frames in this layout");
+        if ui.button(tr!("Panels for film")).on_hover_text(help).clicked() {
+            self.start = None;
+            for panel in [PanelId::FRAMES, PanelId::TIMELINE, PanelId::SHOT] {
+                self.dock.open(panel);
+            }
+        }
         ui.separator();
         let mut theme = ui.ctx().options(|options| options.theme_preference);
         ui.horizontal(|ui| {

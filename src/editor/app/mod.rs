@@ -642,6 +642,7 @@ impl App {
         // A text field with the keyboard has an undo of its own, and takes question marks; a handle
         // that was dragged has not.
         let is_text_edited = is_typing && keyboard::text_field(ui.ctx()).is_some();
+        let has_list = egui::Popup::is_any_open(ui.ctx());
         let is_text = |command: &Command| {
             matches!(command, Command::Undo | Command::Redo | Command::OpenShortcuts)
         };
@@ -655,7 +656,10 @@ impl App {
         for row in table::rows().filter(is_here) {
             if keyboard::is_dialog_open(ui.ctx())
                 || row.place == KeyScope::Picture
-                    && (is_typing || self.start.is_some() || self.bench.painting.has_pointer())
+                    && (is_typing
+                        || has_list
+                        || self.start.is_some()
+                        || self.bench.painting.has_pointer())
                 || is_text_edited && is_text(&row.command)
             {
                 continue;
@@ -665,9 +669,7 @@ impl App {
             }
         }
         let escape = (Modifiers::NONE, Key::Escape);
-        let is_free = self.path_field.is_none()
-            && self.pending.is_none()
-            && !egui::Popup::is_any_open(ui.ctx());
+        let is_free = self.path_field.is_none() && self.pending.is_none() && !has_list;
         if self.start.is_some() && is_free && keyboard::take(ui, escape) {
             commands.push(Command::ShowStart(false));
         }

@@ -15,6 +15,7 @@ use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::{NodePath, ObjectId, make_slug};
 use crate::state::parts::pictures::MovedPictures;
+use crate::state::paths::tidy;
 use crate::state::scene::{OPEN_LOOK, OpenScene};
 use crate::state::session::Session;
 use crate::state::session::saving::OwnFiles;
@@ -76,11 +77,9 @@ impl App {
     }
 
     fn apply_to_shot(&mut self, ui: &Ui, command: ShotCommand) {
-        let frames = |app: &Self| app.session.shot().map(|shot| shot.scene().time);
-        let before = frames(self);
         match command {
-            ShotCommand::New => return self.new_shot(false),
-            ShotCommand::NewOver => return self.new_shot(true),
+            ShotCommand::New => self.new_shot(false),
+            ShotCommand::NewOver => self.new_shot(true),
             ShotCommand::Edit(edit) => self.tell(|session| session.apply_to_shot(edit, None)),
             ShotCommand::EditHeld(widget, edit) => {
                 let gesture = self.gesture(ui, widget);
@@ -94,9 +93,6 @@ impl App {
             ShotCommand::ResetAll => self.tell(Session::reset_all_in_shot),
             ShotCommand::KeyCameraOfFile => self.tell(Session::key_camera_of_file),
             ShotCommand::Show(at) => self.show_value(ui, &at),
-        }
-        if frames(self) != before {
-            self.play_frames_of_shot();
         }
     }
 
@@ -166,11 +162,15 @@ impl App {
     /// Path that a dialog for a file of the scene begins near.
     pub(super) fn near_scene(&self) -> Option<PathBuf> {
         if let Some(shot) = self.session.shot() {
-            let name = stem_of(&shot.shot().name);
-            return Some(match shot.has_file() || shot.shot().name.is_empty() {
-                true => shot.path().to_path_buf(),
-                false => shot.path().with_file_name(format!("{name}.json")),
-            });
+            if shot.has_file() {
+                return Some(shot.path().to_path_buf());
+            }
+            let place = match shot.shot().name.as_str() {
+                "" => shot.path().to_path_buf(),
+                name => shot.path().with_file_name(format!("{}.json", stem_of(name))),
+            };
+            let file = place.file_name().unwrap_or_default();
+            return Some(tidy(&shot.near.as_ref().map_or(place.clone(), |near| near.join(file))));
         }
         let own = self.session.open_scene().and_then(OpenScene::path);
         own.map(Path::to_path_buf)

@@ -42,8 +42,9 @@ impl Canvas {
             }
             commands
                 .extend(std::mem::take(&mut self.wants_search).then_some(GraphCommand::AddNode));
-            let pressed = table::pressed(ui, KeyScope::Graph).into_iter();
-            commands.extend(pressed.filter_map(|command| match command {
+            // What is typed over an open list or menu is meant for that.
+            let pressed = if is_free { table::pressed(ui, KeyScope::Graph) } else { Vec::new() };
+            commands.extend(pressed.into_iter().filter_map(|command| match command {
                 Command::Graph(command) => Some(command),
                 _ => None,
             }));

@@ -12,15 +12,17 @@ use chiaro_locale::tr;
 use eframe::egui::{self, Button, RichText, Ui, WidgetInfo};
 
 use super::layer::SelectedLayer;
+use super::shot::{self, ChangedValue};
 use super::{mark, row};
 use crate::catalog::NodeKind;
-use crate::commands::{Command, PanelId};
-use crate::document::{KeyDirection, Target, Value};
+use crate::commands::{Command, PanelId, SceneCommand, ShotCommand};
+use crate::document::{KeyDirection, ShotEdit, Target, Value};
 use crate::fields::lighting::Owner;
 use crate::ids::{NodeId, NodePath};
 use crate::placing::terminator_angle;
 use crate::state::keying::{KeyPlace, KeyedBy};
 use crate::state::session::Session;
+use crate::state::shot::ShotAddress;
 use crate::values;
 use crate::widgets::menu::scrolling;
 use crate::widgets::number::{number_field, number_slider};
@@ -142,6 +144,21 @@ impl EdgePart {
     }
 }
 
+/// True for an angle of a profile of the open look that fields show as one edge.
+pub(crate) fn is_of_edge(session: &Session, target: &Target) -> bool {
+    let Target::Input { node, port } = target else { return false };
+    let base = session.look_with_library();
+    let kind = base.node_at(node).and_then(|found| base.catalog.of(found));
+    if !PROFILE.contains(&port.as_str()) || !kind.is_some_and(|kind| has_profile(kind)) {
+        return false;
+    }
+    let angle = |port: &str| {
+        let target = Target::Input { node: node.clone(), port: port.into() };
+        values::number(session.keys().value_at(&target).as_ref())
+    };
+    ProfileEdge::of(in_order(PROFILE.map(angle))).is_some()
+}
+
 /// Offset, fall-off and cut-off of a node, as one edge.
 pub(crate) struct EdgeField<'a> {
     session: &'a Session,
@@ -193,13 +210,47 @@ impl<'a> EdgeField<'a> {
         Command::EditHeld(widget, edit)
     }
 
-    /// Lines that say what an edit changes where keys move the profile.
+    /// Lines that say what an edit changes where keys move the profile, and what the shot changes.
     fn keyed_help(&self) -> String {
         let keys = self.session.keys();
         let keyed = self.targets.iter().find(|it| keys.keyed_by(it) != KeyedBy::Nothing);
-        keyed.map_or(String::new(), |target| {
+        let mut help = keyed.map_or(String::new(), |target| {
             tr!("\n{moved} All three angles are keyed together.", moved = mark::help(keys, target))
-        })
+        });
+        for changed in self.by_shot() {
+            help += "\n";
+            help += &changed.help();
+        }
+        help
+    }
+
+    /// Changes that the open shot makes of the three angles.
+    fn by_shot(&self) -> impl Iterator<Item = ChangedValue<'a>> {
+        let session = self.session;
+        let of = move |target: &Target| ChangedValue::of(session, Owner::Look, &target.to_string());
+        self.targets.iter().filter_map(of)
+    }
+
+    /// Paints the bar of values that the shot changes.
+    fn bar(&self, ui: &Ui, area: egui::Rect) {
+        if self.by_shot().next().is_some() {
+            shot::bar(ui, area);
+        }
+    }
+
+    /// Shows the entry that takes the shot's own changes of all three angles back, as one step.
+    fn reset(&self, ui: &mut Ui, out: &mut Vec<Command>) {
+        let Some((first, open)) = self.by_shot().next().zip(self.session.shot()) else { return };
+        let own = self.by_shot().filter_map(|it| open.own(&ShotAddress::of(it.change)));
+        let edits: Vec<ShotEdit> =
+            own.map(|own| ShotEdit::take_back(own.look.clone(), own.target.clone())).collect();
+        ui.separator();
+        let button = ui.add_enabled(!edits.is_empty(), Button::new(first.reset_label()));
+        if button.on_hover_text(first.help()).clicked() {
+            let edit = ShotCommand::Edit(ShotEdit::Group { edits });
+            out.push(Command::Scene(SceneCommand::Shot(edit)));
+            ui.close();
+        }
     }
 
     /// Shows both numbers side by side; `names` are their names for screen readers. Returns the
@@ -265,7 +316,10 @@ impl<'a> EdgeField<'a> {
             let mut keyed = Vec::new();
             let mark = |ui: &mut Ui, size: egui::Vec2| match part {
                 EdgePart::At => self.diamond(ui, &mut keyed),
-                EdgePart::Softness => drop(ui.allocate_exact_size(size, egui::Sense::hover())),
+                EdgePart::Softness => {
+                    let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
+                    self.bar(ui, rect);
+                }
             };
             let mut set = Vec::new();
             row::with_slot(ui, text, &help, mark, |ui, label| {
@@ -292,6 +346,7 @@ impl<'a> EdgeField<'a> {
         let keys = self.session.keys();
         let keyed = self.targets.iter().find(|it| keys.keyed_by(it) != KeyedBy::Nothing);
         let response = mark::of(ui, keys, keyed.unwrap_or(&self.targets[1]), tr!("Keys of Edge"));
+        self.bar(ui, response.rect);
         egui::Popup::menu(&response).show(|ui| scrolling(ui, |ui| self.menu(ui, out)));
         response.on_hover_text(match keyed {
             Some(target) => mark::help(keys, target),
@@ -304,7 +359,7 @@ impl<'a> EdgeField<'a> {
     fn menu(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let (keys, look) = (self.session.keys(), self.session.look());
         ui.set_min_width(190.0);
-        if ui.button(tr!("Key at the playhead")).clicked() {
+        if ui.button(tr!("Key here")).clicked() {
             out.push(Command::Edit(keys.key_together_in_time(&self.targets)));
             out.push(Command::ShowPanel(PanelId::TIMELINE));
         }
@@ -335,6 +390,7 @@ impl<'a> EdgeField<'a> {
         if is_keyed && ui.button(tr!("Remove its keys")).clicked() {
             out.push(Command::Edit(keys.unkey_together(&self.targets)));
         }
+        self.reset(ui, out);
     }
 }
 

@@ -9,8 +9,9 @@ use eframe::egui::{Button, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::marks::{self, FieldTarget};
 use crate::commands::Command;
-use crate::document::{DirectionKeys, KeyDirection, Value};
+use crate::document::{DirectionKeys, KeyDirection, Target, TimeKeys, Value};
 use crate::fields::lighting::{OwnedKeys, Owner};
+use crate::fields::shot::ChangedValue;
 use crate::library::Type;
 use crate::state::keying::retime::SAME_TIME;
 use crate::state::keying::{KeyPlace, KeyedBy, KeyedLook, said};
@@ -158,41 +159,49 @@ fn one_key(
 }
 
 fn in_time(ui: &mut Ui, marked: &FieldTarget<'_>, track: usize) {
-    let owned = marked.owned;
-    let Some(track) = owned.look().time_keys.get(track) else { return };
-    let now = owned.session.view.time;
-    let here = track.keys.iter().position(|key| (key.time - now).abs() < SAME_TIME);
-    let text = match owned.session.shot() {
-        Some(shot) => {
-            let frame = |time: f64| values::number_text(shot.rate().frame_within(time), 2);
-            let count = track.keys.len();
-            let step = marked.by_shot().map_or(1, |changed| changed.change.step);
-            let held = shot.resolved().held_time(now, step);
-            let (is_held, now, held) = (held != now, frame(now), frame(held));
-            let ordinal = ordinal(count + 1);
-            match (here.map(|key| key + 1), is_held) {
-                (Some(key), false) => tr!("Frame {now}: sets key {key} of {count}"),
-                (Some(key), true) => {
-                    tr!("Frame {now}: sets key {key} of {count}; the picture holds frame {held}")
-                }
-                (None, false) => tr!("Frame {now}: adds a {ordinal} key"),
-                (None, true) => {
-                    tr!("Frame {now}: adds a {ordinal} key; the picture holds frame {held}")
-                }
-            }
-        }
-        None => {
-            let count = track.keys.len();
-            let now = values::number_text(now, 2);
-            match here.map(|key| key + 1) {
-                Some(key) => tr!("At {now} s: sets key {key} of {count}"),
-                None => tr!("At {now} s: setting it adds a key to {count}"),
-            }
-        }
-    };
+    let Some(track) = marked.owned.look().time_keys.get(track) else { return };
+    let (text, _) = time_text(marked.owned, track);
     line(ui, |ui| {
         ui.label(quiet(ui, text)).on_hover_text(tr!("The value above is the one at the playhead"));
     });
+}
+
+/// Text on what a hand sets of a value whose picture is that of a frame before, as the shot holds
+/// it; `None` where the picture shows the frame of the playhead.
+pub(crate) fn held_text(owned: OwnedKeys<'_>, target: &Target) -> Option<String> {
+    let track = owned.look().time_keys.iter().find(|track| track.target == *target)?;
+    let (text, is_held) = time_text(owned, track);
+    is_held.then_some(text)
+}
+
+/// Text on the key that is set at the playhead, and true where the picture holds another frame.
+fn time_text(owned: OwnedKeys<'_>, track: &TimeKeys) -> (String, bool) {
+    let now = owned.session.view.time;
+    let here = track.keys.iter().position(|key| (key.time - now).abs() < SAME_TIME);
+    let count = track.keys.len();
+    let Some(shot) = owned.session.shot() else {
+        let now = values::number_text(now, 2);
+        let text = match here.map(|key| key + 1) {
+            Some(key) => tr!("At {now} s: sets key {key} of {count}"),
+            None => tr!("At {now} s: setting it adds a key to {count}"),
+        };
+        return (text, false);
+    };
+    let frame = |time: f64| values::number_text(shot.rate().frame_within(time), 2);
+    let changed = ChangedValue::of(owned.session, owned.owner, &track.target.to_string());
+    let step = changed.map_or(1, |changed| changed.change.step);
+    let held = shot.resolved().held_time(now, step);
+    let (is_held, now, held) = (held != now, frame(now), frame(held));
+    let ordinal = ordinal(count + 1);
+    let text = match (here.map(|key| key + 1), is_held) {
+        (Some(key), false) => tr!("Frame {now}: sets key {key} of {count}"),
+        (Some(key), true) => {
+            tr!("Frame {now}: sets key {key} of {count}; the picture holds frame {held}")
+        }
+        (None, false) => tr!("Frame {now}: adds a {ordinal} key"),
+        (None, true) => tr!("Frame {now}: adds a {ordinal} key; the picture holds frame {held}"),
+    };
+    (text, is_held)
 }
 
 /// A place in words, as in "a 2nd key".

@@ -84,6 +84,13 @@ impl<'s> OwnedKeys<'s> {
         self.keys.base.look
     }
 
+    /// True if the scene has a light of this id, which stands in place of the look's: values of
+    /// that change nothing.
+    pub(crate) fn is_replaced(self, light: &LightId) -> bool {
+        let of_scene = Owner::Scene.lights(self.session);
+        self.owner == Owner::Look && of_scene.is_some_and(|lights| lights.contains_key(light))
+    }
+
     /// An edit of that look as an undo step of its own.
     pub(crate) fn once(self, edit: Edit) -> Option<Command> {
         self.owner.change(self.session, edit).map(Change::once)

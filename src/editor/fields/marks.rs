@@ -14,6 +14,7 @@ use crate::fields::wedge::variation_of;
 use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
+use crate::state::keying::retime::SAME_TIME;
 use crate::state::keying::{KeyPlace, KeyedBy, changes_in_time, has_between};
 use crate::state::session::Session;
 use crate::state::variations::{VariationKind, VariedSubject};
@@ -86,13 +87,48 @@ pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut V
     response.on_hover_text(mark::help(marked.owned.keys, &marked.target));
 }
 
-/// Shows all entries of the menu.
+/// Shows all entries of the menu: the key at the playhead is always the first, and what takes
+/// something back the last.
 pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     ui.set_min_width(190.0);
-    if let Some(changed) = marked.by_shot() {
-        changed.menu(ui, out);
+    if marked.can_be_keyed() {
+        key_here(ui, marked, out);
+        let is_keyed = marked.owned.keys.keyed_by(&marked.target) != KeyedBy::Nothing;
+        let help = tr!("No keys move it any more; it keeps the value that it has now");
+        if is_keyed && ui.button(tr!("Remove its keys")).on_hover_text(help).clicked() {
+            out.extend(marked.owned.once(marked.owned.keys.unkey(&marked.target)));
+        }
         ui.separator();
+        if has_between(marked.ty) {
+            keys_by_direction(ui, marked, out);
+            ui.separator();
+        }
     }
+    trials(ui, marked, out);
+    // Lights of a scene are no parameters, and have no defaults to go back to.
+    let is_light_of_scene = marked.owned.owner == Owner::Scene && marked.can_be_keyed();
+    if !is_light_of_scene {
+        exposure(ui, marked, out);
+    }
+    let changed = marked.by_shot();
+    if is_light_of_scene && changed.is_none() {
+        return;
+    }
+    ui.separator();
+    if let Some(changed) = changed {
+        changed.reset(ui, out);
+    }
+    if is_light_of_scene {
+        return;
+    }
+    let reset = ui.add_enabled(marked.reset.is_some(), egui::Button::new(tr!("Reset to default")));
+    if let (true, Some(edit)) = (reset.clicked(), &marked.reset) {
+        out.push(Command::Edit(edit.clone()));
+    }
+}
+
+/// Shows the entries that try other values.
+fn trials(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     if let Some(variation) = variation_of(marked.owned, &marked.target) {
         let help = tr!("Tries several values of it, each as a picture on one sheet");
         if ui.button(tr!("Wedge this value")).on_hover_text(help).clicked() {
@@ -108,21 +144,10 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
             out.push(Command::View(ViewCommand::Vary(subject)));
         }
     }
-    if marked.can_be_keyed() {
-        keys_in_time(ui, marked, out);
-        if has_between(marked.ty) {
-            keys_by_direction(ui, marked, out);
-        }
-        let is_keyed = marked.owned.keys.keyed_by(&marked.target) != KeyedBy::Nothing;
-        let help = tr!("No keys move it any more; it keeps the value that it has now");
-        if is_keyed && ui.button(tr!("Remove its keys")).on_hover_text(help).clicked() {
-            out.extend(marked.owned.once(marked.owned.keys.unkey(&marked.target)));
-        }
-        if marked.owned.owner == Owner::Scene {
-            return;
-        }
-        ui.separator();
-    }
+}
+
+/// Shows the entry that makes the value a parameter, or ends that.
+fn exposure(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     match marked.exposed() {
         None if marked.owned.keys.base.own_value(&marked.target).is_none() => {
             ui.label(
@@ -145,21 +170,31 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
             }
         }
     }
-    let reset = ui.add_enabled(marked.reset.is_some(), egui::Button::new(tr!("Reset to default")));
-    if let (true, Some(edit)) = (reset.clicked(), &marked.reset) {
-        out.push(Command::Edit(edit.clone()));
-    }
 }
 
-fn keys_in_time(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
-    let is_timed = marked.owned.look().time_keys.iter().any(|track| track.target == marked.target);
-    let text = if is_timed { tr!("Key at the playhead") } else { tr!("Key in time") };
+/// Shows the entry that keys the value at the playhead, or takes its key there away.
+fn key_here(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
+    let (owned, keys) = (marked.owned, marked.owned.keys);
+    let now = owned.session.view.time;
+    let mut tracks = owned.look().time_keys.iter().enumerate();
+    let track = tracks.find(|(_, track)| track.target == marked.target);
+    let key = track.and_then(|(index, track)| {
+        let here = track.keys.iter().position(|key| (key.time - now).abs() < SAME_TIME)?;
+        keys.without_key(index, here)
+    });
+    if let Some(edit) = key {
+        let help = tr!("Takes the key at the playhead away; the others stay");
+        if ui.button(tr!("Remove the key here")).on_hover_text(help).clicked() {
+            out.extend(owned.once(edit));
+        }
+        return;
+    }
     let help = tr!(
         "A key at the playhead with the value of now; setting it at another time adds another key"
     );
-    if ui.button(text).on_hover_text(help).clicked() {
-        let edit = marked.owned.keys.key_in_time(&marked.target);
-        out.extend(edit.and_then(|edit| marked.owned.once(edit)));
+    if ui.button(tr!("Key here")).on_hover_text(help).clicked() {
+        let edit = keys.key_in_time(&marked.target);
+        out.extend(edit.and_then(|edit| owned.once(edit)));
         out.push(Command::ShowPanel(PanelId::TIMELINE));
     }
 }
@@ -187,7 +222,6 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
         }
     }
     let lights = owned.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
-    let drivers = keys.drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
     let mut begin = |ui: &mut Ui, text: String, by: KeyDirection| {
         if ui.button(text).on_hover_text(tr!("Begins keys with one where that is now")).clicked() {
             out.extend(owned.once(keys.new_set(by, Some(&marked.target))));
@@ -196,20 +230,23 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
             out.push(Command::ShowPanel(PanelId::KEYS));
         }
     };
-    for by in lights.chain([KeyDirection::View]).chain(drivers) {
+    for by in lights.chain([KeyDirection::View]) {
         let text = match &by {
-            KeyDirection::Drivers(drivers) => {
-                let names: Vec<String> =
-                    drivers.iter().map(|driver| keys.driver_name(driver)).collect();
-                tr!("New keys by: {names}", names = names.join(", "))
-            }
             KeyDirection::Light(id) => {
                 tr!("New keys by the light \"{light}\"", light = keys.base.light_name(id))
             }
-            KeyDirection::View => tr!("New keys by the view").to_owned(),
+            _ => tr!("New keys by the view").to_owned(),
         };
         begin(ui, text, by);
     }
+    ui.menu_button(tr!("New keys by a distance or height…"), |ui| {
+        ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+            for driver in keys.drivers() {
+                let text = tr!("New keys by: {names}", names = keys.driver_name(&driver));
+                begin(ui, text, KeyDirection::Drivers(vec![driver]));
+            }
+        });
+    });
     if !is_of_look {
         return;
     }

@@ -9,7 +9,7 @@ use eframe::egui::{Button, Color32, Popup, Rect, Role, Sense, Ui, Vec2, WidgetIn
 
 use crate::commands::{Command, SceneCommand, ShotCommand};
 use crate::document::Target;
-use crate::fields::{mark, scene_names};
+use crate::fields::{edge, mark, scene_names};
 use crate::frame::{ResolvedShot, ValueChange};
 use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
@@ -87,7 +87,10 @@ impl<'s> ChangedValue<'s> {
         let is_open = self.session.shot().and_then(OpenShot::open_look).as_ref() == Some(look);
         let target = Target::parse(&self.change.target).filter(|_| is_open);
         let value = match target {
-            Some(target) => self.session.look_with_library().names_of(&target).join(": "),
+            Some(target) => {
+                let [owner, value] = self.session.look_with_library().names_of(&target);
+                format!("{owner}: {}", seen_as(self.session, &target, value))
+            }
             None => self.change.target.clone(),
         };
         let look = Path::new(look).file_stem().unwrap_or_default().to_string_lossy();
@@ -113,24 +116,38 @@ impl<'s> ChangedValue<'s> {
         }
     }
 
-    /// Shows the entries of a menu: the way back, and a key.
+    /// Shows the entries of a menu: a key, and apart from that the way back.
     pub(crate) fn menu(self, ui: &mut Ui, out: &mut Vec<Command>) {
-        let mut push = |command| out.push(Command::Scene(SceneCommand::Shot(command)));
         let at = ShotAddress::of(self.change);
+        if at.can_move() {
+            let help = tr!("Keeps the present value at this frame; at others it may be another");
+            if ui.button(tr!("Key here")).on_hover_text(help).clicked() {
+                out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Key(at))));
+                ui.close();
+            }
+            ui.separator();
+        }
+        self.reset(ui, out);
+    }
+
+    /// Shows the entry that takes the change back.
+    pub(crate) fn reset(self, ui: &mut Ui, out: &mut Vec<Command>) {
         let reset = ui.add_enabled(self.is_own(), Button::new(self.reset_label()));
         let by = tr!("{shot} changes it: open that to take it back", shot = self.by());
         let reset = reset.on_hover_text(self.help()).on_disabled_hover_text(by);
         if reset.clicked() {
-            push(ShotCommand::Reset(at.clone()));
+            let at = ShotAddress::of(self.change);
+            out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Reset(at))));
             ui.close();
         }
-        let help = tr!("Keeps the present value at this frame; at others it may be another");
-        if at.can_move()
-            && ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked()
-        {
-            push(ShotCommand::Key(at));
-            ui.close();
-        }
+    }
+}
+
+/// Label of a value of the open look as fields show it: angles of one edge with the edge's name.
+fn seen_as(session: &Session, target: &Target, label: String) -> String {
+    match edge::is_of_edge(session, target) {
+        true => tr!("Edge and softness ({angle})", angle = label),
+        false => label,
     }
 }
 
@@ -151,6 +168,7 @@ impl<'s> ChangedRow<'s> {
             let Target::Input { node, .. } = &target else { return None };
             let inner = node.ids().strip_prefix(path.ids())?;
             let [owner, value] = session.look_with_library().names_of(&target);
+            let value = seen_as(session, &target, value);
             Some((if inner.is_empty() { value } else { format!("{owner}: {value}") }, changed))
         };
         Self(ChangedValue::all(session, Owner::Look).filter_map(named).collect())

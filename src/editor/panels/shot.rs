@@ -8,14 +8,16 @@ use eframe::egui::{
 };
 
 use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand, table};
-use crate::document::{FrameRate, ShotEdit, value_address};
+use crate::document::{FrameRate, Override, ShotEdit, Target, value_address};
 use crate::fields::row::{self, labelled};
+use crate::fields::scene_names;
 use crate::fields::shot::{self, ChangedValue};
 use crate::frame::ValueChange;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
 use crate::state::shot::{LostChange, OpenShot, ShotAddress};
+use crate::widgets::menu::scrolling;
 use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::text::is_typed;
@@ -141,17 +143,23 @@ fn frames(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command
         for (frame, name, is_first) in
             [(&mut first, tr!("First frame"), true), (&mut last, tr!("Last frame"), false)]
         {
-            let response = ui.add(number_field(ui, frame).speed(0.2));
+            // Neither end moves the other: that would lose a number which nobody touched.
+            let (range, word) = match is_first {
+                true => (i32::MIN..=before[1], tr!("not after {last}", last = before[1])),
+                false => (before[0]..=i32::MAX, tr!("not before {first}", first = before[0])),
+            };
+            let is_at_limit = before[0] == before[1];
+            let response = ui.add(number_field(ui, frame).range(range).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+            if is_at_limit && response.has_focus() {
+                ui.label(RichText::new(&word).small().color(theme::of(ui).dim));
+            }
             if response.changed() {
-                let frames = if is_first {
-                    [*frame, before[1].max(*frame)]
-                } else {
-                    [before[0].min(*frame), *frame]
-                };
+                let frames = if is_first { [*frame, before[1]] } else { [before[0], *frame] };
                 let edit = ShotEdit::SetFrames { frames: Some(frames) };
                 push(out, ShotCommand::EditHeld(response.id, edit));
             }
+            response.on_hover_text(word);
         }
         let frame = shot.frame_at(session.view.time);
         let text = tr!("now {frame}");
@@ -300,7 +308,7 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
 }
 
 /// Lists the shot's changes of values that are not there, with the ways out.
-fn lost(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
+fn lost(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>) {
     let lost = shot.lost_changes();
     if lost.is_empty() {
         return;
@@ -314,13 +322,14 @@ fn lost(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     );
     ui.label(RichText::new(text).small().color(colors.error));
     for change in &lost {
-        let name = value_address(change.change.look.as_deref(), &change.change.target);
+        let address = value_address(change.change.look.as_deref(), &change.change.target);
+        let name = lost_name(session, change.change);
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                lost_buttons(ui, shot, change, &name, out);
+                lost_buttons(ui, (session, shot), change, &name, out);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     let text = RichText::new(&name).color(colors.text);
-                    ui.add(Label::new(text).truncate()).on_hover_text(&name);
+                    ui.add(Label::new(text).truncate()).on_hover_text(&address);
                 });
             });
         });
@@ -331,10 +340,22 @@ fn lost(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     ui.separator();
 }
 
-/// Shows the buttons of a change of what is not there: out of the shot, or to another object.
+/// Name of a value that is not there, with the labels that are still known.
+fn lost_name(session: &Session, change: &Override) -> String {
+    let Some(look) = &change.look else { return scene_names::of(&change.target).join(": ") };
+    let value = match Target::parse(&change.target) {
+        Some(target) => session.look_with_library().title_of_target(&target),
+        None => change.target.clone(),
+    };
+    let look = std::path::Path::new(look).file_stem().unwrap_or_default().to_string_lossy();
+    format!("{look}: {value}")
+}
+
+/// Shows the buttons of a change of what is not there: out of the shot, or to another object, light
+/// or node.
 fn lost_buttons(
     ui: &mut Ui,
-    shot: &OpenShot,
+    (session, shot): (&Session, &OpenShot),
     change: &LostChange<'_>,
     name: &str,
     out: &mut Vec<Command>,
@@ -344,27 +365,32 @@ fn lost_buttons(
     if reset.on_hover_text(tr!("Takes the change out of the shot")).clicked() {
         push(out, ShotCommand::Edit(change.taken_back()));
     }
-    let Some(from) = change.object() else { return };
-    let places = shot.unchanged_objects();
-    let help = tr!("All that the shot changes of {from} is of this object from now on");
+    let Some(from) = change.owner() else { return };
+    let places = session.places_of_lost(from);
+    let help = tr!(
+        "All that the shot changes of {from}, with its keys, is of this from now on",
+        from = from.id
+    );
     let mut chosen = None;
     match places.as_slice() {
         [] => {}
-        [only] => {
+        [(id, only)] => {
             let button = ui.small_button(tr!("Move to {only}"));
             let label = tr!("Move {name} to {only}");
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
-            chosen = button.on_hover_text(&help).clicked().then_some(*only);
+            chosen = button.on_hover_text(&help).clicked().then_some(id);
         }
         several => {
             let menu = ui.menu_button(RichText::new(tr!("Move to...")).small(), |ui| {
-                for id in several {
-                    if ui.button(id.as_str()).on_hover_text(&help).clicked() {
-                        chosen = Some(*id);
+                scrolling(ui, |ui| {
+                    for (id, place) in several {
+                        if ui.button(place).on_hover_text(&help).clicked() {
+                            chosen = Some(id);
+                        }
                     }
-                }
+                });
             });
-            let label = tr!("Move {name} to another object");
+            let label = tr!("Move {name} to another place");
             menu.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
         }
     }
@@ -375,7 +401,7 @@ fn lost_buttons(
 
 /// Lists the values that the shots change.
 fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>) {
-    lost(ui, shot, out);
+    lost(ui, session, shot, out);
     let standing: Vec<&ValueChange> =
         shot.resolved().changes.iter().filter(|change| change.stands).collect();
     if standing.is_empty() {

@@ -1,5 +1,7 @@
 //! Problems in words.
 
+use chiaro_locale::tr;
+
 use crate::diag::{Diagnostic, Place};
 use crate::document::Target;
 use crate::ids::{NodePath, PortName};
@@ -19,6 +21,9 @@ pub(crate) fn sentence(problem: &Diagnostic) -> String {
 /// labels of the canvas: *Back-light / Blend* for `back_light/blend`, and *Below* for `below` where
 /// the problem is at that port.
 pub(crate) fn labelled(look: LookWithLibrary<'_>, problem: &Diagnostic, text: &str) -> String {
+    if let Some(told) = idle_light(look, problem).filter(|_| text == problem.message) {
+        return told;
+    }
     let Place { node, port, .. } = &problem.place;
     let of_place = |part: &str| {
         let port = port.as_ref().filter(|port| port.as_str() == part)?;
@@ -34,6 +39,19 @@ pub(crate) fn labelled(look: LookWithLibrary<'_>, problem: &Diagnostic, text: &s
         }
     }
     told
+}
+
+/// The words of the window for a change of a look's light that the scene's replaces: the compiler's
+/// own say how a file is mended.
+fn idle_light(look: LookWithLibrary<'_>, problem: &Diagnostic) -> Option<String> {
+    let address = problem.message.split('`').nth(1).filter(|_| problem.code == "idle-override")?;
+    let target = Target::parse(address)?;
+    let Target::Light { light, .. } = &target else { return None };
+    let [name, value] = look.names_of(&target);
+    look.look.lights.contains_key(light).then(|| {
+        tr!("{name}: {value} of the look changes nothing: the scene's light stands in its place. \
+             Reset it in Shot, and set {name} of the scene.")
+    })
 }
 
 /// The label of a step of the history, in which ports have the labels of the canvas: *Back-light:
@@ -107,5 +125,23 @@ mod tests {
         let step = step_labelled(look, "change rim.cutoff, rim.below");
         assert_eq!(step, "change Back-light: Cut-off, Back-light: Below");
         assert_eq!(step_labelled(look, "key lights.moon.intensity"), "key lights.moon.intensity");
+    }
+
+    #[test]
+    fn an_idle_change_of_a_light_is_told_by_its_name_with_the_way_out() {
+        let look = r#"{"lights": {"light": {"name": "Sun"}}, "nodes": [{"id": "light",
+          "kind": "base", "name": "Tone"}]}"#;
+        let look = Look::read(look, "test").value.unwrap();
+        let library = Library::built_in();
+        let mut catalog = Catalog::new(library);
+        catalog.sync(&look, library);
+        let look = LookWithLibrary { look: &look, catalog: &catalog, library };
+        let text = "`lights.light.direction` of the look has no effect: the scene has a light \
+                    `light`, which stands in its place; leave \"look\" out to change that";
+        let told = labelled(look, &Diagnostic::warning("idle-override", text), text);
+        assert!(told.starts_with("Sun: Direction of the look changes nothing"), "{told}");
+        assert!(told.ends_with("set Sun of the scene."), "{told}");
+        let told = labelled(look, &Diagnostic::warning("other", text), text);
+        assert!(told.contains("leave \"look\" out"), "{told}");
     }
 }

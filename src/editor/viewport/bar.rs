@@ -375,7 +375,7 @@ fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
 /// Says that the lights were turned by hand, which is not what the open shot renders, with buttons
 /// that turn them back and that keep the turn in the shot.
 fn turned_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
-    let illumination = session.lights_of_shot()?;
+    let illumination = session.lights_of_shot().filter(|_| session.keys().has_turning_lights())?;
     let text = tr!("Lights turned by hand: rendered frames have them as the shot does");
     let help =
         tr!("A drag on the object turns all lights around it, in this window only. R takes it \

@@ -21,6 +21,11 @@ impl Viewport {
             (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
             (Some(Drag::Light(held)), _) => held.hint(session),
             (Some(Drag::Highlight(held)), _) => self.highlight.hint(held).to_owned(),
+            (Some(Drag::Lights), _) if !session.keys().has_turning_lights() => tr!(
+                "A drag turns no light: none is in the illumination frame, all stay in the world, \
+                 the camera or an object. Frame, in a light's fields, changes that"
+            )
+            .to_owned(),
             (Some(Drag::Lights), _) => tr!(
                 "Turning the illumination frame: every light in it turns with it · Esc puts it \
                  back"

@@ -537,6 +537,8 @@ impl Viewport {
             match drag {
                 _ if delta == egui::Vec2::ZERO => {}
                 Drag::Camera => view.orbit(dx, dy),
+                // Where no light follows the frame, a turn would only be one more override.
+                Drag::Lights if !session.keys().has_turning_lights() => {}
                 Drag::Lights => view.turn_lights(dx, dy),
                 Drag::Pan => view.pan(dx, dy),
                 Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),
@@ -573,7 +575,8 @@ impl Viewport {
         if factor != 1.0 && !is_held {
             view.dolly(factor);
         }
-        if keyboard::is_keyboard_taken(ui.ctx()) {
+        // What is typed over an open list or menu is meant for that.
+        if keyboard::is_keyboard_taken(ui.ctx()) || egui::Popup::is_any_open(ui.ctx()) {
             return;
         }
         if fitting.is_on() {

@@ -30,6 +30,13 @@ impl OutputKind<'_> {
     pub const DRAWING: OutputKind<'static> =
         OutputKind { name: text!("a drawing").english(), is_own: &is_drawing, has_seal: false };
 
+    /// Script for another program, with the seal of [`sealed_script`] as its last line.
+    pub const SCRIPT: OutputKind<'static> = OutputKind {
+        name: text!("a script").english(),
+        is_own: &is_sealed_script,
+        has_seal: false,
+    };
+
     pub(super) fn is_document(&self) -> bool {
         self.name.is_empty()
     }
@@ -50,6 +57,24 @@ pub(super) fn sealed(png: &[u8]) -> Vec<u8> {
     }
     let (head, rest) = png.split_at(AFTER_HEADER);
     png::with_note(png, "Software", &format!("Chiaro {:08x}", checksum(&[head, rest])))
+}
+
+/// Beginning of the last line of a script, before its number: a comment, as many languages have it.
+const SCRIPT_SEAL: &str = "# Chiaro ";
+
+/// Adds a seal to a script: a comment at its end with a checksum of all the rest. A script that
+/// somebody changed since does not match, and one that another program saved has lost the comment.
+pub fn sealed_script(script: &str) -> String {
+    let script = script.trim_end();
+    let sum = checksum(&[script.as_bytes()]);
+    format!("{script}\n{SCRIPT_SEAL}{sum:08x}\n")
+}
+
+/// True if a script is as Chiaro wrote it.
+fn is_sealed_script(bytes: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(bytes) else { return false };
+    let script = text.trim_end().rsplit_once('\n').map(|(script, _)| script);
+    script.is_some_and(|script| sealed_script(script) == text)
 }
 
 /// True if a PNG is as Chiaro wrote it.
@@ -112,6 +137,17 @@ mod tests {
         assert!(!is_sealed(&with_seal));
         for other in [&b""[..], b"no PNG at all", SIGNATURE] {
             assert_eq!(sealed(other), other);
+        }
+    }
+
+    #[test]
+    fn a_script_is_known_until_a_letter_of_it_is_changed() {
+        let script = sealed_script("Root {\n inputs 0\n}\n");
+        assert!(is_sealed_script(script.as_bytes()), "{script}");
+        assert_eq!(sealed_script("Root {\n inputs 0\n}"), script);
+        for other in ["", "\n", "Root {\n}\n", &script.replace('0', "1"), &(script.clone() + "b\n")]
+        {
+            assert!(!is_sealed_script(other.as_bytes()), "{other}");
         }
     }
 

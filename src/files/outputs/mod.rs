@@ -13,7 +13,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use chiaro_locale::tr;
-pub use kind::OutputKind;
+pub use kind::{OutputKind, sealed_script};
 pub use staging::{FileSet, remove_abandoned, remove_unfinished};
 
 use crate::diag::Diagnostic;

@@ -198,6 +198,12 @@ fn a_document_that_would_be_wrong_is_refused() {
     let over = ["comp", "lit.exr", "--to", "nuke", "-o", "mine.nk"];
     assert!(stage.fails(1, &over).contains("there already"));
     stage.done(&[&over[..], &["--force"]].concat());
+    // A script that nobody changed is made again, for other layers too.
+    let of_others = [&over[..], &["--layers", "layer_Base,layer_key,layer_rim"]].concat();
+    stage.done(&of_others);
+    let made = fs::read_to_string(stage.path("mine.nk")).unwrap();
+    fs::write(stage.path("mine.nk"), made.replacen("gain", "loss", 1)).unwrap();
+    assert!(stage.fails(1, &of_others).contains("there already"));
     // Layers by themselves, on standard output.
     let layers = ["comp", "lit.exr", "--to", "nuke", "--layers", "layer_Base,layer_key,layer_rim"];
     let ran = stage.run(&layers);

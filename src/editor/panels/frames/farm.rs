@@ -41,7 +41,8 @@ impl FrameRenders {
         farms(ui, farm.to, out);
         let count = self.choices.list(document).map_or(0, |list| list.frames().len() as u32);
         self.chunk_row(ui, context.session, [farm.chunk, count], out);
-        let line = self.choices.job(document, view_of(context), &farm);
+        let files = context.session.drawn_files();
+        let line = self.choices.job(document, view_of(context), (&farm, &files));
         let is_going_on = self.job.as_ref().is_some_and(|job| job.end.is_none());
         let text = tr!("Write {file}", file = farm.job(&document.stem()));
         let button = ui.add_enabled(line.is_ok() && !is_going_on, Button::new(text));
@@ -131,7 +132,8 @@ fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
     };
     if end == RunEnd::Done {
         ui.label(tr!("The job is {file}", file = job.file.display()));
-        let name = job.file.file_name().unwrap_or_default().to_string_lossy();
+        // As it is named in the folder of its tasks.
+        let name = job.file.strip_prefix(&job.line.folder).unwrap_or(&job.file).to_string_lossy();
         if let Some(farm) = Farm::named(job.farm) {
             let by = farm.submitted_by.tr().replace("FILE", &name);
             ui.horizontal_wrapped(|ui| {

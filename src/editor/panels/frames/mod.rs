@@ -229,7 +229,8 @@ impl FrameRenders {
     fn start_job(&mut self, context: PanelContext<'_>, program: &Path) -> Result<(), String> {
         let document = document_of(context.session)?;
         let farm = self.farm_of(context, &document);
-        let line = self.choices.job(&document, view_of(context), &farm)?;
+        let files = context.session.drawn_files();
+        let line = self.choices.job(&document, view_of(context), (&farm, &files))?;
         self.make_folder(&document)?;
         let file = document.folder().join(farm.job(&document.stem()));
         let is_ours = self.written.get(&file).is_some_and(|own| is_text_of(&file, own));

@@ -4,9 +4,7 @@ use std::iter;
 
 use chiaro_locale::tr;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{
-    Key, PopupCloseBehavior, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::{PopupCloseBehavior, RichText, Role, ScrollArea, Ui, WidgetInfo, vec2};
 
 use crate::compile::wire_outputs;
 use crate::fields::row::labelled;
@@ -15,6 +13,7 @@ use crate::state::reading::LookWithLibrary;
 use crate::state::runs::{FrameChoices, OfferedOutput, matching_outputs, nearest_outputs};
 use crate::state::session::Session;
 use crate::state::snapshot::Stamp;
+use crate::widgets::menu::search_field;
 use crate::widgets::text::{formed, hint};
 use crate::widgets::theme;
 
@@ -119,11 +118,7 @@ impl OutputMenu {
     /// Shows the outputs that can be picked. Returns the one that is.
     fn list(&mut self, ui: &mut Ui) -> Option<String> {
         ui.set_width(WIDTH);
-        let name = tr!("Find an output");
-        let field = TextEdit::singleline(&mut self.search).hint_text(name);
-        let field = ui.add(field.desired_width(f32::INFINITY));
-        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, name));
-        let takes_first = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        let takes_first = search_field(ui, tr!("Find an output"), &mut self.search);
         let mut chosen = None;
         let area = ScrollArea::vertical().max_height(320.0).auto_shrink([false, true]);
         area.show(ui, |ui| {

@@ -17,8 +17,9 @@ use eframe::egui::{
 
 use crate::commands::{Command, LibraryCommand, PanelId};
 use crate::document::{Light, Value};
+use crate::fields::keyed;
 use crate::fields::layer;
-use crate::fields::lighting::{OwnedLight, Owner};
+use crate::fields::lighting::{OwnedKeys, OwnedLight, Owner};
 use crate::fields::mark;
 use crate::fields::mix::{MixedLights, SceneMix};
 use crate::fields::shot::ChangedRow;
@@ -127,12 +128,17 @@ impl Lights {
             let owned_light = OwnedLight { owner, id, light };
             let state = Id::unique("light").with((owner, id.as_str()));
             let state = CollapsingState::load_with_default_open(ui.ctx(), state, is_short);
+            let is_open = state.is_open();
             let header = state.show_header(ui, |ui| self.head(ui, session, &owned_light, out));
             header.body_unindented(|ui| {
                 ui.add_space(2.0);
                 edit(ui, session, &owned_light, out);
                 ui.add_space(6.0);
             });
+            // The row's own number tells what the fields would tell below theirs.
+            if !is_open {
+                held_intensity(ui, session, &owned_light);
+            }
         }
     }
 
@@ -407,6 +413,16 @@ impl Lights {
         if ui.add(Button::new(tr!("Remove light"))).on_hover_text(removal).clicked() {
             out.push(owned_light.remove().once());
         }
+    }
+}
+
+/// Tells that the picture holds another frame than the one whose intensity the row sets.
+fn held_intensity(ui: &mut Ui, session: &Session, owned_light: &OwnedLight<'_>) {
+    let target = owned_light.target("intensity");
+    let owned = OwnedKeys::of(session, owned_light.owner);
+    if let Some(text) = owned.and_then(|owned| keyed::held_text(owned, &target)) {
+        let text = RichText::new(tr!("Intensity: {text}")).small().color(theme::of(ui).dim);
+        ui.add(Label::new(text).truncate());
     }
 }
 

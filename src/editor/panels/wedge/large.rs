@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 
 use chiaro_locale::tr;
 use eframe::egui::{
-    Color32, FontId, Rect, Response, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, Vec2,
-    pos2, vec2,
+    Color32, FontId, Key, Modifiers, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use super::varied::color_of;
 use super::{SheetView, TakenCell, Wedge, help};
-use crate::commands::{Command, FilmCommand};
+use crate::commands::{Command, FilmCommand, keyboard};
 use crate::state::session::Session;
 use crate::state::wedge::WedgeCell;
 use crate::widgets::text::cell as text_cell;
@@ -19,8 +19,12 @@ use crate::widgets::theme;
 
 /// Least width of a picture as shown, in points: the sheet is scrolled where it has no room.
 const LEAST: f32 = 140.0;
+/// Least width of a picture that a hand makes smaller, in points.
+const SMALLEST: f32 = 40.0;
 /// Greatest enlargement of a picture, in points a pixel.
 const MOST: f32 = 2.0;
+/// Factor of a step of the buttons and keys that enlarge.
+const STEP: f32 = 1.25;
 /// Distance between cells, in points.
 const GAP: f32 = 12.0;
 /// Height of a line of words, in points.
@@ -41,7 +45,7 @@ impl Wedge {
     pub(crate) fn show_large(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         let (Some(sheet), Some(shown)) = (&self.sheet, &self.shown) else { return out };
-        let mut taken = None;
+        let (mut taken, mut zoom) = (None, self.zoom);
         theme::panel(ui).show(ui, |ui| {
             ui.set_min_size(ui.available_size());
             ui.horizontal_wrapped(|ui| {
@@ -52,14 +56,50 @@ impl Wedge {
                 }
                 let name = sheet.path.file_stem().unwrap_or_default().to_string_lossy();
                 ui.label(RichText::new(name).strong());
+                zoom *= zoom_buttons(ui);
                 ui.label(RichText::new(help_of_clicks(session)).color(theme::of(ui).dim));
             });
             ui.add_space(6.0);
-            taken = self.view(sheet, shown, session).show_large(ui);
+            zoom *= zoom_by_hand(ui);
+            taken = self.view(sheet, shown, session).show_large(ui, &mut zoom);
         });
+        self.zoom = zoom;
         out.extend(taken.and_then(|taken| self.take(taken)));
         out
     }
+}
+
+/// Shows the buttons that enlarge the pictures; returns the factor of this frame.
+fn zoom_buttons(ui: &mut Ui) -> f32 {
+    let mut factor = 1.0;
+    for (sign, name, by) in
+        [("−", tr!("Smaller pictures"), 1.0 / STEP), ("+", tr!("Larger pictures"), STEP)]
+    {
+        let button = ui.small_button(sign);
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+        let help = tr!("{name} ({sign}, or Ctrl+wheel); the sheet scrolls");
+        if button.on_hover_text(help).clicked() {
+            factor *= by;
+        }
+    }
+    factor
+}
+
+/// Factor of the wheel with Ctrl and of the keys + and −, over the sheet.
+fn zoom_by_hand(ui: &Ui) -> f32 {
+    if !ui.rect_contains_pointer(ui.max_rect()) {
+        return 1.0;
+    }
+    let wheel = ui.input(|input| input.zoom_delta());
+    if keyboard::is_keyboard_taken(ui.ctx()) {
+        return wheel;
+    }
+    let pressed = |keys: &[(Modifiers, Key)]| keys.iter().any(|&key| keyboard::take(ui, key));
+    let plain = Modifiers::NONE;
+    if pressed(&[(plain, Key::Plus), (plain, Key::Equals), (Modifiers::SHIFT, Key::Plus)]) {
+        return wheel * STEP;
+    }
+    if pressed(&[(plain, Key::Minus)]) { wheel / STEP } else { wheel }
 }
 
 /// Sentence on what a click does.
@@ -71,8 +111,9 @@ fn help_of_clicks(session: &Session) -> &'static str {
 }
 
 impl SheetView<'_> {
-    /// Shows the cells; returns the one that is taken.
-    fn show_large(self, ui: &mut Ui) -> Option<TakenCell> {
+    /// Shows the cells, `zoom` times as large as all of them have room; returns the one that is
+    /// taken.
+    fn show_large(self, ui: &mut Ui, zoom: &mut f32) -> Option<TakenCell> {
         let cells = self.cells;
         let columns = columns_of(cells);
         let lines = cells.iter().map(|cell| words_of(cell).len()).max().unwrap_or(0);
@@ -83,6 +124,7 @@ impl SheetView<'_> {
         });
         let size =
             picture_size(own, [columns, cells.len().div_ceil(columns)], words, ui.available_size());
+        let size = zoomed(size, own, zoom);
         let mut found = None;
         ScrollArea::both().auto_shrink([false, false]).id_salt("large wedge").show(ui, |ui| {
             ui.spacing_mut().item_spacing = vec2(GAP, GAP);
@@ -160,6 +202,15 @@ fn picture_size(own: Vec2, [columns, rows]: [usize; 2], words: f32, room: Vec2) 
     vec2(width, width * own.y / own.x)
 }
 
+/// Size of a picture that is enlarged, between what can be seen and twice its own pixels. A zoom
+/// beyond that becomes one that changes nothing more.
+fn zoomed(size: Vec2, own: Vec2, zoom: &mut f32) -> Vec2 {
+    let most = own.x * MOST;
+    let width = (size.x * *zoom).clamp(SMALLEST.min(most), most);
+    *zoom = width / size.x.max(1.0);
+    vec2(width, width * own.y / own.x)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,5 +239,18 @@ mod tests {
         // A room too small is scrolled, a sheet of one cell is not blown up.
         assert_eq!(picture_size(own, [4, 4], 52.0, vec2(300.0, 300.0)).x, LEAST);
         assert_eq!(picture_size(own, [1, 1], 52.0, vec2(2000.0, 2000.0)).x, 640.0);
+    }
+
+    #[test]
+    fn a_sheet_is_enlarged_up_to_twice_its_pixels_and_back() {
+        let (size, own) = (vec2(140.0, 78.75), vec2(320.0, 180.0));
+        let mut zoom = 320.0 / 140.0;
+        assert_eq!(zoomed(size, own, &mut zoom), own, "as large as it was drawn");
+        zoom = 100.0;
+        assert_eq!(zoomed(size, own, &mut zoom), own * MOST);
+        zoom /= STEP;
+        assert!(zoomed(size, own, &mut zoom).x < own.x * MOST, "a step back is seen at once");
+        zoom = 0.0;
+        assert_eq!(zoomed(size, own, &mut zoom).x, SMALLEST);
     }
 }

@@ -96,6 +96,8 @@ pub(crate) struct Wedge {
     is_blind: bool,
     /// True if the sheet is to be shown in place of the graph.
     is_large: bool,
+    /// Factor of the pictures over the size at which all of them have room there.
+    zoom: f32,
 }
 
 impl BackgroundJobs for Wedge {
@@ -131,8 +133,8 @@ impl Wedge {
     pub(crate) fn new(wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
         let reader = Worker::new("wedge", wake.clone(), read);
         let drawn = DrawnWedge::new(Arc::new(wake));
-        let (is_blind, is_large) = (false, false);
-        Self { sheet: None, taken: None, reader, shown: None, drawn, is_blind, is_large }
+        let (is_blind, is_large, zoom) = (false, false, 1.0);
+        Self { sheet: None, taken: None, reader, shown: None, drawn, is_blind, is_large, zoom }
     }
 
     /// Adds a value to those that the next wedge tries.
@@ -162,6 +164,7 @@ impl Wedge {
         self.is_large = sheet.cells.iter().any(|cell| cell.place.is_some());
         (self.sheet, self.taken, self.shown, self.is_blind) = (Some(sheet), None, None, false);
         self.drawn.makes_room = true;
+        self.zoom = 1.0;
     }
 
     fn take_picture(&mut self, ui: &Ui) {

@@ -4,14 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
-use eframe::egui::{
-    self, Button, CollapsingHeader, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
-};
+use eframe::egui::{self, Button, CollapsingHeader, RichText, Role, TextEdit, Ui, WidgetInfo};
 
 use crate::clock::Clock;
 use crate::commands::{Command, FilmCommand};
 use crate::document::{ColorSpace, Target, Value, parse_hex};
-use crate::fields::lighting::OwnedKeys;
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::wedge::{selected_values, variation_of};
 use crate::files::make_folder;
 use crate::panels::frames::command_text;
@@ -22,6 +20,7 @@ use crate::state::runs::{
 use crate::state::session::Session;
 use crate::state::wedge::free_sheet;
 use crate::widgets::color;
+use crate::widgets::menu;
 use crate::widgets::number::number_field;
 use crate::widgets::text::hint;
 use crate::widgets::text::is_typed;
@@ -53,12 +52,15 @@ pub(super) struct DrawnWedge {
     problem: Option<String>,
     /// True if the values make room for a sheet in the next frame.
     pub(super) makes_room: bool,
+    /// Search among the values that can be added.
+    search: String,
 }
 
 impl DrawnWedge {
     pub(super) fn new(wake: Arc<dyn Fn() + Send + Sync>) -> Self {
         let (varied, width) = (Vec::new(), WIDTHS[1]);
-        Self { wake, varied, width, run: None, problem: None, makes_room: false }
+        let search = String::new();
+        Self { wake, varied, width, run: None, problem: None, makes_room: false, search }
     }
 
     pub(super) fn run(&self) -> Option<&ProgramRun> {
@@ -144,8 +146,14 @@ impl DrawnWedge {
         part.show(ui, |ui| {
             let mut removed = None;
             for (index, varied) in self.varied.iter_mut().enumerate() {
+                let name = varied.target.clone();
                 if row(ui, index, varied) {
                     removed = Some(index);
+                }
+                if varied.target != name
+                    && let Some(proposed) = proposed(session, &varied.target)
+                {
+                    *varied = proposed;
                 }
                 uses(ui, session, varied);
             }
@@ -254,31 +262,45 @@ impl DrawnWedge {
 
     /// Shows the menu of values that can vary.
     fn add_menu(&mut self, ui: &mut Ui, session: &Session) {
-        let menu = ui.menu_button(tr!("Add a value"), |ui| {
-            ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
-                let found = offered(session);
-                if found.is_empty() {
-                    hint(ui, tr!("Select a node, or add a light."));
+        let mut added = None;
+        let texts = (tr!("Add a value"), tr!("Find a value"));
+        let menu = menu::searching(ui, texts, &mut self.search, |ui, search| {
+            let found = offered(session);
+            if found.is_empty() {
+                hint(ui, tr!("Select a node, or add a light."));
+            }
+            for (label, variation) in found {
+                if search.entry(ui, &label) {
+                    added = Some(variation);
                 }
-                for (label, variation) in found {
-                    if ui.button(label).clicked() {
-                        self.vary(variation);
-                        ui.close();
-                    }
-                }
-            });
+            }
         });
-        menu.response.on_hover_text(tr!("Values of the selected nodes and of the lights"));
+        menu.on_hover_text(tr!("Values of the selected nodes and of the lights"));
+        if let Some(variation) = added {
+            self.vary(variation);
+        }
     }
+}
+
+/// The variation around the present value of this name; `None` where no value has it.
+fn proposed(session: &Session, name: &str) -> Option<Variation> {
+    // Fields of lights are named without the list that files have them in.
+    let targets = [Target::parse(&format!("lights.{name}")), Target::parse(name)];
+    let owners = [Owner::Scene, Owner::Look].into_iter();
+    let mut owners = owners.filter_map(|owner| OwnedKeys::of(session, owner));
+    let of = |owned| targets.iter().flatten().find_map(|target| variation_of(owned, target));
+    owners.find_map(of).filter(|found| found.target == name)
 }
 
 /// Values that are offered, each with its label: of the selected nodes, and of the lights.
 fn offered(session: &Session) -> Vec<(String, Variation)> {
     let of_look = OwnedKeys::of_look(session);
     let of_nodes = selected_values(session).into_iter().map(|target| (of_look, target));
-    let owners = OwnedKeys::all(session);
+    let owners = [Owner::Scene, Owner::Look].into_iter();
+    let owners = owners.filter_map(|owner| OwnedKeys::of(session, owner));
     let of_lights = owners.flat_map(|owned| {
-        owned.look().lights.iter().flat_map(move |(id, light)| {
+        let lights = owned.look().lights.iter().filter(move |(id, _)| !owned.is_replaced(id));
+        lights.flat_map(move |(id, light)| {
             let fields = light.fields().map(|field| field.name().to_owned());
             fields.map(move |field| (owned, Target::Light { light: id.clone(), field }))
         })

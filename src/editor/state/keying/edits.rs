@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 
 use super::split::with_key;
-use super::{KeyedBy, KeyedLook, rounded, targets_of};
+use super::{KeyedBy, KeyedLook, retime, rounded, targets_of};
 use crate::document::{
     DirectionKey, DirectionKeys, Edit, GraphId, KeyDirection, KeyScheme, Target, TimeInterpolation,
     TimeKey, TimeKeys, UnknownFields, Value,
@@ -209,6 +209,17 @@ impl KeyedLook<'_> {
         let keys =
             DirectionKeys { name, by, scheme, keys: vec![key], unknown: UnknownFields::new() };
         self.grounded(target, Edit::AddDirectionKeys { keys, index: None })
+    }
+
+    /// The edit that takes a key out of a track, and with its last key the track; the target keeps
+    /// its present value then.
+    pub(crate) fn without_key(self, track: usize, key: usize) -> Option<Edit> {
+        let of_track = self.base.look.time_keys.get(track)?;
+        let keys = retime::without(of_track, &[key]);
+        Some(match keys.keys.is_empty() {
+            true => self.unkey(&of_track.target),
+            false => Edit::SetTimeKeys { index: track, keys },
+        })
     }
 
     /// The edit that takes a target out of all keys that move it; the target keeps its present

@@ -16,6 +16,7 @@ pub(crate) use drivers::said;
 pub(crate) use scene::scene_edit;
 
 use std::collections::HashMap;
+use std::iter;
 use std::sync::Arc;
 
 use glam::{DMat3, DQuat, DVec3};
@@ -23,8 +24,8 @@ use indexmap::IndexMap;
 
 use crate::compile::{CompiledShader, TypedGraph};
 use crate::document::{
-    AimPlaces, DirectionKeys, KeyDirection, Light, LightFrames, LightKind, LightValues, Object,
-    ObjectFrame, Scene, Target, Value, Values,
+    AimPlaces, DirectionKeys, KeyDirection, Light, LightFrames, LightKind, LightSpace, LightValues,
+    Object, ObjectFrame, Scene, Target, Value, Values,
 };
 use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
@@ -178,6 +179,18 @@ impl<'a> KeyedLook<'a> {
         let lights = own.iter().chain(of_scene.filter(|(id, _)| !own.contains_key(*id)));
         let lights = lights.filter(move |(id, _)| !solo.is_dark(id));
         lights.map(move |(id, light)| (id, self.light(id).unwrap_or(light)))
+    }
+
+    /// True if a turn of the illumination frame turns a light of the picture, or if that has none.
+    pub(crate) fn has_turning_lights(self) -> bool {
+        let of_scene = self.scene.map(|open_scene| &open_scene.scene().lights);
+        let others = self.scene.into_iter().flat_map(OpenScene::other_looks);
+        let looks = iter::once(self.base.look).chain(others.map(|worn| &worn.look));
+        let is_shown = |id: &LightId| of_scene.is_none_or(|lights| !lights.contains_key(id));
+        let of_looks = looks.flat_map(|look| &look.lights).filter(|(id, _)| is_shown(id));
+        let lights = of_looks.chain(of_scene.into_iter().flatten());
+        let spaces: Vec<LightSpace> = lights.map(|(_, light)| light.space).collect();
+        spaces.is_empty() || spaces.contains(&LightSpace::Illumination)
     }
 
     /// The scene's light that stands in place of the look's.

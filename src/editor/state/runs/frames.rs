@@ -10,6 +10,7 @@ use crate::film::farm::{DEFAULT_CHUNK, Farm};
 use crate::film::{Contributions, FrameList, FramePattern, FrameRate, MatteKind};
 use crate::ids::make_slug;
 use crate::state::display::DisplayChoice;
+use crate::state::paths::tidy;
 
 /// Layers that an option of the command line asks for by a word.
 pub(crate) struct LayerOption {
@@ -80,6 +81,17 @@ impl FilmDocument {
     pub(crate) fn folder(&self) -> PathBuf {
         let folder = std::path::absolute(&self.path).unwrap_or_else(|_| self.path.clone());
         folder.parent().map(Path::to_path_buf).unwrap_or_default()
+    }
+
+    /// Folder in which a farm's tasks run: the nearest one that has the document and the files
+    /// that pictures of it are drawn of, so that machines need that folder alone.
+    pub(crate) fn job_folder(&self, files: &[PathBuf]) -> PathBuf {
+        let (own, files) = (tidy(&self.folder()), files.iter().map(|file| tidy(file)));
+        let files: Vec<PathBuf> = files.collect();
+        let holds_all = |folder: &&Path| files.iter().all(|file| file.starts_with(folder));
+        // What lies all over a disk has no folder of its own.
+        let found = own.ancestors().find(holds_all).filter(|folder| folder.parent().is_some());
+        found.map_or_else(|| own.clone(), Path::to_path_buf)
     }
 
     /// Name of the document's file.
@@ -187,6 +199,14 @@ impl FarmChoices {
     }
 }
 
+/// A name from the folder of a document as one from the folder that `way` leads there from.
+fn from(way: &Path, name: &str) -> String {
+    match way.as_os_str().is_empty() {
+        true => name.to_owned(),
+        false => tidy(&way.join(name)).to_string_lossy().into_owned(),
+    }
+}
+
 impl FrameChoices {
     /// Choices of a document that has none yet: as those of another one, but for what is of the
     /// document. Its frames have a folder of their own, so that no other's are written over.
@@ -286,7 +306,7 @@ impl FrameChoices {
     ) -> Result<CommandLine, String> {
         self.pattern_and_list(document)?;
         let mut words = vec!["render".to_owned()];
-        self.words(document, view, &mut words);
+        self.words((document, Path::new("")), view, &mut words);
         Ok(CommandLine { folder: document.folder(), words })
     }
 
@@ -298,25 +318,29 @@ impl FrameChoices {
         &self,
         document: &FilmDocument,
         view: Option<&DisplayChoice>,
-        farm: &FarmChoices,
+        (farm, files): (&FarmChoices, &[PathBuf]),
     ) -> Result<CommandLine, String> {
         self.pattern_and_list(document)?;
+        let folder = document.job_folder(files);
+        let own = tidy(&document.folder());
+        let way = own.strip_prefix(&folder).unwrap_or(Path::new("")).to_path_buf();
         let mut words = vec!["farm".to_owned()];
-        self.words(document, view, &mut words);
+        self.words((document, &way), view, &mut words);
         words.extend(["--to".to_owned(), farm.to.to_owned()]);
         words.extend(["--chunk".to_owned(), farm.chunk.to_string()]);
-        words.extend(["--job".to_owned(), farm.job(&document.stem())]);
-        Ok(CommandLine { folder: document.folder(), words })
+        words.extend(["--job".to_owned(), from(&way, &farm.job(&document.stem()))]);
+        Ok(CommandLine { folder, words })
     }
 
-    /// Adds the words that `render` and `farm` share.
+    /// Adds the words that `render` and `farm` share; `way` leads from the folder of the command to
+    /// that of the document.
     fn words(
         &self,
-        document: &FilmDocument,
+        (document, way): (&FilmDocument, &Path),
         view: Option<&DisplayChoice>,
         words: &mut Vec<String>,
     ) {
-        words.extend([document.name(), "-o".to_owned(), self.output()]);
+        words.extend([from(way, &document.name()), "-o".to_owned(), from(way, &self.output())]);
         // A shot knows its own frames.
         let is_whole =
             document.is_shot && self.step <= 1 && self.range(document) == document.frames;
@@ -475,9 +499,23 @@ mod tests {
         assert_eq!(FarmChoices::of(Some("another"), 10), FarmChoices::default());
         let farm = FarmChoices::of(Some("openjd"), 5);
         assert_eq!(
-            choices.job(&shot(), None, &farm).unwrap().text(),
+            choices.job(&shot(), None, (&farm, &[])).unwrap().text(),
             "chiaro farm sh010.json -o 'out/####.exr' --to openjd --chunk 5 --job sh010.job.json"
         );
+        // Tasks run where all files are, as in a film whose shots have a folder of their own.
+        let in_film = FilmDocument { path: "/film/shots/sh010.json".into(), ..shot() };
+        let files = ["/film/shots/sh010.json", "/film/shots/../scenes/room.json"];
+        let files = files.map(PathBuf::from);
+        let line = choices.job(&in_film, None, (&farm, &files)).unwrap();
+        assert_eq!(line.folder, Path::new("/film"));
+        assert_eq!(
+            line.text(),
+            "chiaro farm shots/sh010.json -o 'shots/out/####.exr' --to openjd --chunk 5 --job \
+             shots/sh010.job.json"
+        );
+        let apart = [PathBuf::from("/meshes/cow.obj")];
+        let line = choices.job(&in_film, None, (&farm, &apart)).unwrap();
+        assert_eq!(line.folder, Path::new("/film/shots"), "a disk is no folder of a film");
         let varied = [Variation::around("rim.falloff".to_owned(), 0.4, false)];
         let mut look = shot();
         look.mesh = Some(("shape:knot".to_owned(), true));

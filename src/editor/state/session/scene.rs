@@ -170,7 +170,7 @@ impl Session {
         self.sync_scene();
     }
 
-    fn sync_scene(&mut self) {
+    pub(super) fn sync_scene(&mut self) {
         if self.shot().is_some() {
             self.resolve_shot();
             self.revisions.problems.advance();
@@ -244,8 +244,11 @@ impl Session {
         }
         let nodes = self.node_folders();
         if let Some(open_scene) = &mut self.open_scene {
+            let is_own = open_scene.path() == Some(path);
             open_scene.save_as(path)?;
-            if self.node_folders() == nodes {
+            if is_own {
+                self.sync_scene();
+            } else if self.node_folders() == nodes {
                 self.scene_changed();
             } else {
                 // Another folder is another project.

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
+use glam::DVec3;
 use serde_json::Value as Json;
 
 use super::Session;
@@ -16,12 +17,17 @@ use crate::document::{
 use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::film::{color_space, color_text, value_before};
 use crate::frame::{Assets, ResolvedShot, SetupLook, ValueChange};
+use crate::ids::{NodeId, NodePath};
 use crate::state::arrangement;
 use crate::state::document::journal::VIEW;
 use crate::state::keying::Owner;
+use crate::state::reading::{LookWithLibrary, light_name};
 use crate::state::revision::GestureId;
-use crate::state::scene::{FileMotion, LookToOpen, OpenScene};
-use crate::state::shot::{LookUnderShot, OpenShot, ShotAddress, ShotWriter};
+use crate::state::scene::{FileMotion, LookToOpen, OpenScene, real};
+use crate::state::shot::{
+    ChangedKind, ChangedOwner, LookUnderShot, OpenShot, ShotAddress, ShotWriter,
+};
+use crate::values;
 
 /// Greatest distance from a frame at which the playhead is on it, in frames: fields round times to
 /// milliseconds.
@@ -64,7 +70,10 @@ impl Session {
             let message = tr!("a shot lies over the file of a scene, and there is none yet");
             return Err(vec![Diagnostic::error("impossible-edit", message)]);
         };
-        let shot = OpenShot::begun(&**self.assets.source(), &beneath)?;
+        let from = self.shot().filter(|shot| shot.has_file());
+        let near = from.and_then(|shot| shot.path().parent()).map(Path::to_path_buf);
+        let mut shot = OpenShot::begun(&**self.assets.source(), &beneath)?;
+        shot.near = near;
         let look = self.path().map(|path| LookToOpen::File(path.to_path_buf()));
         self.set_scene(OpenScene::under(shot));
         if let Some(open_scene) = &mut self.open_scene {
@@ -464,14 +473,76 @@ impl Session {
         closed.unwrap_or(self.look())
     }
 
+    /// A look of the scene that the open shot's file names.
+    fn look_of_shot(&self, name: &str) -> Option<&Look> {
+        let shot = self.shot()?;
+        let file = shot.file_of_look(name);
+        let is_it = |path: &str| real(Path::new(path)) == file;
+        if shot.open_look().is_some_and(|open| is_it(&open)) {
+            return Some(self.look());
+        }
+        let mut closed = self.open_scene()?.other_looks();
+        closed.find(|look| is_it(look.source.file())).map(|look| &look.look)
+    }
+
+    /// Things that the shot changes nothing of yet, to which its changes of a lost thing can be
+    /// moved, each with its display name: objects, or lights or nodes that have all the values.
+    pub(crate) fn places_of_lost(&self, owner: ChangedOwner<'_>) -> Vec<(String, String)> {
+        let Some(shot) = self.shot() else { return Vec::new() };
+        let look = owner.look.and_then(|look| self.look_of_shot(look));
+        if look.is_none() && owner.look.is_some() {
+            return Vec::new();
+        }
+        let lights = look.map_or(&shot.scene().lights, |look| &look.lights);
+        let base = look.map(|look| LookWithLibrary { look, ..self.look_with_library() });
+        let all: Vec<(String, String)> = match (owner.kind, base) {
+            (ChangedKind::Object, _) => {
+                let ids = shot.scene().objects.keys();
+                ids.map(|id| (id.to_string(), id.to_string())).collect()
+            }
+            (ChangedKind::Light, _) => {
+                let named = lights.iter().map(|(id, light)| (id, light_name(id, light)));
+                named.map(|(id, name)| (id.to_string(), name.to_owned())).collect()
+            }
+            (ChangedKind::Node, Some(base)) => {
+                let ids = base.look.graph.nodes.keys();
+                let title = |id: &NodeId| base.title_of_path(&NodePath::root(id.clone()));
+                ids.map(|id| (id.to_string(), title(id))).collect()
+            }
+            (ChangedKind::Node, None) => Vec::new(),
+        };
+        let has = |id: &str, change: &Override| {
+            let Some(target) = owner.moved(&change.target, id) else { return false };
+            match base {
+                None => shot.scene().value_at(&target).is_ok(),
+                Some(base) => {
+                    let is_known = Target::parse(&target).map(|it| base.port_at(&it).is_some());
+                    base.look.value_at(&target).is_ok() && is_known.unwrap_or(true)
+                }
+            }
+        };
+        let fits = |(id, _): &(String, String)| {
+            let is_free = shot.changes_of(ChangedOwner { id, ..owner }).next().is_none();
+            let is_object = owner.kind == ChangedKind::Object;
+            is_free && (is_object || shot.changes_of(owner).all(|change| has(id, change)))
+        };
+        all.into_iter().filter(fits).collect()
+    }
+
     /// Saves the shot to a file, which is its own from then on.
     ///
     /// # Errors
     /// A diagnostic with the reason; the old file is then unchanged.
     pub fn save_shot_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         if let Some(shot) = self.shot_mut() {
+            let is_own = shot.path() == path;
             shot.save_as(path)?;
-            self.scene_changed();
+            // A file with the same name and content is the same picture, and frames of it stay.
+            if is_own {
+                self.sync_scene();
+            } else {
+                self.scene_changed();
+            }
         }
         Ok(())
     }
@@ -516,12 +587,42 @@ fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
     Diagnostic { message, ..problem }.in_file(file.display().to_string())
 }
 
+/// Form in which a value is told, as fields have it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum ToldForm {
+    Plain,
+    Color(ColorSpace),
+    /// Angle, which files have in radians.
+    Degrees,
+    /// Rotation, which files have as a quaternion.
+    Turn,
+}
+
+impl ToldForm {
+    /// Form of a changed value that is no color.
+    fn of(session: &Session, change: &ValueChange, look: &Look) -> Self {
+        let target = change.target.as_str();
+        if target == "illumination" || target.ends_with(".transform.rotate") {
+            return Self::Turn;
+        }
+        let base = LookWithLibrary { look, ..session.look_with_library() };
+        let port = Target::parse(target).and_then(|target| base.port_at(&target));
+        match port {
+            Some(port) if port.unit == "rad" => Self::Degrees,
+            _ => Self::Plain,
+        }
+    }
+}
+
 /// The value before a change and the one after it, in words: colors as fields have them, keys with
 /// their frames.
 pub(crate) fn change_text(session: &Session, change: &ValueChange) -> (String, String) {
     let look = session.look_at(change.look.as_deref());
-    let space = color_space(change, look.color_space);
-    let told = |json: &Json| keys_text(json, space).unwrap_or_else(|| colored_text(json, space));
+    let form = match color_space(change, look.color_space) {
+        Some(space) => ToldForm::Color(space),
+        None => ToldForm::of(session, change, look),
+    };
+    let told = |json: &Json| keys_text(json, form).unwrap_or_else(|| formed_text(json, form));
     let from = match value_before(change, look, &session.project.library) {
         Json::Null => tr!("default").to_owned(),
         from => told(&from),
@@ -530,10 +631,10 @@ pub(crate) fn change_text(session: &Session, change: &ValueChange) -> (String, S
 }
 
 /// Keys in words, all of them where they are few; `None` for what are no keys.
-fn keys_text(json: &Json, space: Option<ColorSpace>) -> Option<String> {
+fn keys_text(json: &Json, form: ToldForm) -> Option<String> {
     let keys = json.as_array().filter(|keys| keys.first().is_some_and(Json::is_object))?;
     let key = |key: &Json| {
-        let value = colored_text(key.get("value")?, space);
+        let value = formed_text(key.get("value")?, form);
         Some(tr!("{value} at {frame}", frame = json_text(key.get("frame")?)))
     };
     let count = trn!(count = keys.len(), "{count} key", "{count} keys");
@@ -548,10 +649,28 @@ fn keys_text(json: &Json, space: Option<ColorSpace>) -> Option<String> {
     })
 }
 
-/// A value of a file in words, of a color as fields have it.
-fn colored_text(json: &Json, space: Option<ColorSpace>) -> String {
-    let color = json.as_array().zip(space).and_then(|(items, space)| color_text(items, space));
-    color.unwrap_or_else(|| json_text(json))
+/// A value of a file in words, as fields have it.
+fn formed_text(json: &Json, form: ToldForm) -> String {
+    let items = json.as_array();
+    let formed = match form {
+        ToldForm::Plain => None,
+        ToldForm::Color(space) => items.and_then(|items| color_text(items, space)),
+        ToldForm::Degrees => {
+            json.as_f64().map(|angle| format!("{}°", values::number_text(angle.to_degrees(), 1)))
+        }
+        ToldForm::Turn => items.and_then(|items| turn_text(items.as_slice())),
+    };
+    formed.unwrap_or_else(|| json_text(json))
+}
+
+/// A rotation in words; `None` for what is no quaternion.
+fn turn_text(items: &[Json]) -> Option<String> {
+    let numbers: Vec<f64> = items.iter().map(Json::as_f64).collect::<Option<_>>()?;
+    let [x, y, z, w] = numbers[..] else { return None };
+    // A quaternion and its opposite are the same rotation, whose shorter way is told.
+    let angle = 2.0 * DVec3::new(x, y, z).length().atan2(w.abs());
+    let angle = values::number_text(angle.to_degrees(), 1);
+    Some(if angle == "0" { tr!("not turned").to_owned() } else { tr!("turned by {angle}°") })
 }
 
 /// A value of a file in words.
@@ -582,6 +701,10 @@ pub(crate) mod tests {
     use crate::frame::Track;
     use crate::library::Library;
     use crate::state::shot::shots_that_change;
+
+    const LOOK: &str = r#"{"chiaro": "look", "nodes": [{"id": "base", "kind": "base"},
+        {"id": "layer", "kind": "light_layer"}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"#;
 
     /// Puts a scene of one ball, and a shot of twelve frames over it with these overrides, into a
     /// folder; returns the path of the shot.
@@ -723,6 +846,33 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn lights_of_the_world_do_not_turn_by_hand() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+        let opened = |of_look: &str, of_scene: &str| {
+            let light = |space: &str| format!(r#"{{"lights": {{"sun": {{"space": "{space}"}}}}, "#);
+            put("look.json", &LOOK.replacen('{', &light(of_look), 1));
+            let object = r#""objects": [{"id": "ball", "looks": "look.json"}]}"#;
+            put("scene.json", &(light(of_scene) + r#""chiaro": "scene", "# + object));
+            let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+            session.open(&folder.path().join("scene.json")).unwrap();
+            if let Some(LookToOpen::File(path)) = session.look_to_open() {
+                session.open(&path).unwrap();
+            }
+            session
+        };
+        assert!(opened("illumination", "illumination").keys().has_turning_lights());
+        // The scene's light stands in place of the look's.
+        assert!(!opened("illumination", "world").keys().has_turning_lights());
+        let mut session = opened("world", "world");
+        assert!(!session.keys().has_turning_lights());
+        session.leave_scene(true);
+        assert!(!session.keys().has_turning_lights());
+        let new = Session::new(Arc::new(Library::built_in().clone()), || {});
+        assert!(new.keys().has_turning_lights());
+    }
+
+    #[test]
     fn a_file_under_a_shot_is_wrong_until_it_is_whole_again() {
         let folder = tempfile::tempdir().unwrap();
         let mut session = opened(folder.path());
@@ -777,7 +927,7 @@ pub(crate) mod tests {
 
     #[test]
     fn keys_are_told_with_their_frames() {
-        let told = |keys: &str| keys_text(&serde_json::from_str(keys).unwrap(), None);
+        let told = |keys: &str| keys_text(&serde_json::from_str(keys).unwrap(), ToldForm::Plain);
         let two = r#"[{"frame": 1, "value": 0.5}, {"frame": 24, "value": 2}]"#;
         assert_eq!(told(two).unwrap(), "0.5 at 1, 2 at 24");
         let four = r#"[{"frame": 1, "value": 0.5}, {"frame": 8, "value": 2},
@@ -790,10 +940,60 @@ pub(crate) mod tests {
     #[test]
     fn colors_are_told_as_fields_have_them() {
         let json = |text: &str| serde_json::from_str(text).unwrap();
-        let told = |text: &str, space| colored_text(&json(text), space);
-        assert_eq!(told("[1, 0.5, 0]", Some(ColorSpace::Display)), "#ff8000");
-        assert_eq!(told("[1, 0.5, 0]", None), "1, 0.5, 0");
-        assert_eq!(told("[9, 0.5, 0]", Some(ColorSpace::Display)), "9, 0.5, 0", "no screen's");
+        let told = |text: &str, form| formed_text(&json(text), form);
+        let color = ToldForm::Color(ColorSpace::Display);
+        assert_eq!(told("[1, 0.5, 0]", color), "#ff8000");
+        assert_eq!(told("[1, 0.5, 0]", ToldForm::Plain), "1, 0.5, 0");
+        assert_eq!(told("[9, 0.5, 0]", color), "9, 0.5, 0", "no screen's");
+        assert_eq!(told("1.3207", ToldForm::Degrees), "75.7°");
+        assert_eq!(told("[0, 0, 0, 1]", ToldForm::Turn), "not turned");
+        let turned = ["[0, 0.258819, 0, 0.965926]", "[0, -0.258819, 0, -0.965926]"];
+        assert_eq!(turned.map(|text| told(text, ToldForm::Turn)), ["turned by 30°"; 2]);
+    }
+
+    #[test]
+    fn changes_of_lights_and_nodes_that_were_renamed_move_with_their_keys() {
+        let folder = tempfile::tempdir().unwrap();
+        let put = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            path
+        };
+        put("look.json", LOOK);
+        put(
+            "scene.json",
+            r#"{"chiaro": "scene", "objects": [{"id": "ball", "looks": "look.json"}],
+            "lights": {"kicker": {"name": "Kicker"}, "sun": {}}}"#,
+        );
+        let path = put(
+            "sh010.json",
+            r#"{"chiaro": "shot", "scene": "scene.json", "frames": [1, 9], "overrides": [
+            {"target": "lights.rim.intensity", "keys": [
+                {"frame": 1, "value": 0.5}, {"frame": 9, "value": 2}]},
+            {"target": "lights.sun.intensity", "value": 2},
+            {"look": "look.json", "target": "old_layer.opacity", "value": 0.75}]}"#,
+        );
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.open(&path).unwrap();
+        let places = |session: &Session| -> Vec<Vec<(String, String)>> {
+            let lost = session.shot().unwrap().lost_changes();
+            lost.iter().map(|it| session.places_of_lost(it.owner().unwrap())).collect()
+        };
+        let of_both = places(&session);
+        let named = |[id, name]: [&str; 2]| (id.to_owned(), name.to_owned());
+        assert_eq!(of_both[0], [named(["kicker", "Kicker"])], "the sun has a change of its own");
+        let ids: Vec<&str> = of_both[1].iter().map(|(id, _)| id.as_str()).collect();
+        assert_eq!(ids, ["layer"], "what has an opacity");
+        for (owner, to) in [(0, "kicker"), (0, "layer")] {
+            let shot = session.shot().unwrap();
+            let edit = shot.moved(shot.lost_changes()[owner].owner().unwrap(), to);
+            session.apply_to_shot(edit, None).unwrap();
+        }
+        let shot = session.shot().unwrap();
+        assert!(shot.lost_changes().is_empty());
+        let [light, _, layer] = &shot.shot().overrides[..] else { panic!() };
+        assert_eq!((light.target.as_str(), light.keys.len()), ("lights.kicker.intensity", 2));
+        assert_eq!(layer.target, "layer.opacity");
     }
 
     #[test]
@@ -823,17 +1023,22 @@ pub(crate) mod tests {
         session.open(&path).unwrap();
         let shot = session.shot().unwrap();
         let lost = shot.lost_changes();
-        let told: Vec<_> = lost.iter().map(|it| (it.change.target.as_str(), it.object())).collect();
+        let told: Vec<_> = lost
+            .iter()
+            .map(|it| (it.change.target.as_str(), it.owner().map(|owner| owner.id)))
+            .collect();
         let figure = Some("figure");
         assert_eq!(
             told,
             [("objects.figure.visible", figure), ("objects.figure.transform.translate", figure)]
         );
         assert!(lost[0].why.contains("figure"), "{}", lost[0].why);
-        let places: Vec<&str> = shot.unchanged_objects().iter().map(|id| id.as_str()).collect();
+        let owner = lost[0].owner().unwrap();
+        let places: Vec<String> =
+            session.places_of_lost(owner).into_iter().map(|(id, _)| id).collect();
         assert_eq!(places, ["cow"], "the ball has changes of its own");
         let before = shot.shot().clone();
-        let edit = shot.moved("figure", &"cow".into());
+        let edit = shot.moved(owner, "cow");
         session.apply_to_shot(edit, None).unwrap();
         let shot = session.shot().unwrap();
         let targets: Vec<&str> =

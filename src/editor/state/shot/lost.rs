@@ -9,7 +9,6 @@ use crate::diag::Diagnostic;
 use crate::document::{Override, ShotEdit};
 use crate::files::{Files, WalkBounds};
 use crate::frame::ShotStack;
-use crate::ids::ObjectId;
 use crate::state::scene::{folder_of, real};
 
 /// Bounds of the search for shots beside a scene.
@@ -24,10 +23,10 @@ pub(crate) struct LostChange<'s> {
     pub(crate) why: &'s str,
 }
 
-impl LostChange<'_> {
-    /// The object that the value was of, where it was one of the scene.
-    pub(crate) fn object(&self) -> Option<&str> {
-        object_of(self.change)
+impl<'s> LostChange<'s> {
+    /// The thing that the value was of, where changes of it can be moved to another one.
+    pub(crate) fn owner(&self) -> Option<ChangedOwner<'s>> {
+        ChangedOwner::of(self.change)
     }
 
     /// The edit that takes the change out of the shot.
@@ -36,10 +35,54 @@ impl LostChange<'_> {
     }
 }
 
-/// The object of a value of the scene.
-fn object_of(change: &Override) -> Option<&str> {
-    let of_object = change.target.strip_prefix("objects.").filter(|_| change.look.is_none())?;
-    Some(of_object.split_once('.')?.0)
+/// Kind of a thing whose values a shot changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ChangedKind {
+    Object,
+    Light,
+    /// A node of a look, by its path.
+    Node,
+}
+
+/// Object, light or node whose values a shot changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct ChangedOwner<'s> {
+    /// Name of the look in the shot's file; `None` for what the scene has.
+    pub(crate) look: Option<&'s str>,
+    pub(crate) kind: ChangedKind,
+    pub(crate) id: &'s str,
+}
+
+impl<'s> ChangedOwner<'s> {
+    /// The owner of the value that a change is of.
+    fn of(change: &'s Override) -> Option<Self> {
+        let (look, target) = (change.look.as_deref(), change.target.as_str());
+        let in_list = |list: &str| Some(target.strip_prefix(list)?.split_once('.')?.0);
+        let (kind, id) = if let Some(id) = in_list("lights.") {
+            (ChangedKind::Light, id)
+        } else if look.is_none() {
+            (ChangedKind::Object, in_list("objects.")?)
+        } else {
+            let node = target.strip_prefix("nodes.").unwrap_or(target).rsplit_once('.')?.0;
+            // What is within a group goes with the group.
+            (ChangedKind::Node, node.split('/').next()?)
+        };
+        Some(Self { look, kind, id })
+    }
+
+    /// The address of one of its values as that of another thing of the same kind.
+    pub(crate) fn moved(&self, target: &str, to: &str) -> Option<String> {
+        let (list, rest) = match self.kind {
+            ChangedKind::Object => ("objects.", target.strip_prefix("objects.")?),
+            ChangedKind::Light => ("lights.", target.strip_prefix("lights.")?),
+            ChangedKind::Node => match target.strip_prefix("nodes.") {
+                Some(rest) => ("nodes.", rest),
+                None => ("", target),
+            },
+        };
+        let rest = rest.strip_prefix(self.id).filter(|rest| rest.starts_with(['.', '/']))?;
+        Some(format!("{list}{to}{rest}"))
+    }
 }
 
 impl OpenShot {
@@ -60,30 +103,24 @@ impl OpenShot {
         self.shot().overrides.iter().enumerate().filter_map(lost).collect()
     }
 
-    /// Objects of the scene that the shot changes nothing of yet, to which changes of a lost object
-    /// can be moved.
-    pub(crate) fn unchanged_objects(&self) -> Vec<&ObjectId> {
-        let is_changed = |id: &&ObjectId| {
-            self.shot().overrides.iter().any(|change| object_of(change) == Some(id.as_str()))
-        };
-        self.scene().objects.keys().filter(|id| !is_changed(id)).collect()
+    /// The shot's own changes of values of a thing.
+    pub(crate) fn changes_of(&self, owner: ChangedOwner<'_>) -> impl Iterator<Item = &Override> {
+        self.shot().overrides.iter().filter(move |it| ChangedOwner::of(it) == Some(owner))
     }
 
-    /// The edit that moves all changes of an object to another one, in their places.
-    pub(crate) fn moved(&self, from: &str, to: &ObjectId) -> ShotEdit {
+    /// The edit that moves all changes of a thing to another one of the same kind, in their places
+    /// and with their keys.
+    pub(crate) fn moved(&self, from: ChangedOwner<'_>, to: &str) -> ShotEdit {
         let mut edits = Vec::new();
         for (index, change) in self.shot().overrides.iter().enumerate() {
-            let Some(rest) = change.target.strip_prefix(&format!("objects.{from}.")) else {
+            let is_of_it = ChangedOwner::of(change) == Some(from);
+            let Some(target) = from.moved(&change.target, to).filter(|_| is_of_it) else {
                 continue;
             };
-            if change.look.is_some() {
-                continue;
-            }
-            let target = format!("objects.{to}.{rest}");
             let new = Override { target: target.clone(), ..change.clone() };
-            edits.push(ShotEdit::take_back(None, change.target.clone()));
+            edits.push(ShotEdit::take_back(change.look.clone(), change.target.clone()));
             edits.push(ShotEdit::SetOverride {
-                look: None,
+                look: change.look.clone(),
                 target,
                 change: Some(Box::new(new)),
                 index: Some(index),
@@ -108,7 +145,8 @@ pub(crate) fn shots_that_change(files: &dyn Files, scene: &Path, object: &str) -
         let shot = stack.value.shots.first();
         real(&stack.value.scene_path) == own
             && shot.is_some_and(|file| {
-                file.shot.overrides.iter().any(|change| object_of(change) == Some(object))
+                let owner = ChangedOwner { look: None, kind: ChangedKind::Object, id: object };
+                file.shot.overrides.iter().any(|it| ChangedOwner::of(it) == Some(owner))
             })
     };
     let found = files.walk(&folder_of(scene), BESIDE, &|_| false).files;

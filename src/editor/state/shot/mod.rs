@@ -27,7 +27,7 @@ use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::revision::StepTime;
 use crate::state::scene::{folder_of, real, relative};
-pub(crate) use lost::{LostChange, shots_that_change};
+pub(crate) use lost::{ChangedKind, ChangedOwner, LostChange, shots_that_change};
 pub(crate) use writing::ShotWriter;
 
 /// Frames of a new shot, and the size of its pictures, in pixels.
@@ -65,6 +65,8 @@ pub struct OpenShot {
     pub(crate) shown_at: Option<f64>,
     /// View that the shot's camera had put the window in last.
     view: Option<FollowedView>,
+    /// Folder of the shot that was open when this new one was begun, near which it is saved.
+    pub(crate) near: Option<PathBuf>,
 }
 
 /// Greatest angle between two turns of the lights that are the same, in radians.
@@ -207,6 +209,7 @@ impl OpenShot {
             look: None,
             shown_at: None,
             view: None,
+            near: None,
         }
     }
 
@@ -297,6 +300,11 @@ impl OpenShot {
                 }
                 _ => false,
             }
+    }
+
+    /// File of a look that the shot's file names.
+    pub(crate) fn file_of_look(&self, name: &str) -> PathBuf {
+        real(&folder_of(self.path()).join(name))
     }
 
     /// Name of a look in this shot's file.

@@ -593,6 +593,10 @@ mod tests {
         let step = ShotEdit::SetStep { step: Some(2) };
         assert_eq!(kept_after(&mut shot, |it| it.apply_to_shot(step, None).unwrap()), 0);
         assert_eq!(kept_after(&mut shot, |it| assert!(it.undo())), 0);
+        // A file of the same content is no change, of whichever document.
+        assert_eq!(kept_after(&mut shot, |it| it.save_shot_as(&path).unwrap()), 1);
+        let file = folder.path().join("scene.json");
+        assert_eq!(kept_after(&mut scene, |it| it.save_scene_as(&file).unwrap()), 1);
     }
 
     #[test]

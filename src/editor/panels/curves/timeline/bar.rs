@@ -2,19 +2,18 @@
 //! rows alone, so that tracks have room below.
 
 use chiaro_locale::tr;
-use eframe::egui;
 use eframe::egui::{Button, ComboBox, RichText, Role, Ui, WidgetInfo};
 
 use super::{Timeline, rows, shot_tracks, transport};
 use crate::commands::Command;
 use crate::document::Target;
-use crate::fields::lighting::OwnedKeys;
+use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::tools::PictureTools;
 use crate::tools::onion::OnionSkin;
 use crate::values;
-use crate::widgets::menu;
+use crate::widgets::menu::{self, MenuSearch};
 use crate::widgets::number::{self, number_field_as};
 use crate::widgets::overflow::overflowing;
 use crate::widgets::text::hint;
@@ -100,7 +99,7 @@ pub(super) fn show(
             ui.checkbox(&mut timeline.snaps, tr!("Snap")).on_hover_text(help);
         }
         BarPart::Range => range(timeline, ui, session),
-        BarPart::AddValue => add_value(ui, session, out),
+        BarPart::AddValue => add_value(timeline, ui, session, out),
         BarPart::LoopMode => transport::mode(timeline, ui),
         BarPart::Speed => transport::speed(timeline, ui),
         BarPart::WholeRange => transport::whole_range(timeline, ui),
@@ -172,43 +171,50 @@ fn range(timeline: &mut Timeline, ui: &mut Ui, session: &Session) {
 }
 
 /// Shows the menu of values that can be keyed: inputs of the selected nodes, and the lights.
-fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let menu = ui.menu_button(tr!("Key a value"), |ui| {
-        egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
-            for id in &session.selection.nodes {
-                let kind =
-                    session.graph().nodes.get(id).and_then(|node| session.project.catalog.of(node));
-                for port in kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default() {
-                    if changes_in_time(&port.ty)
-                        && session.graph().wire_into(id, &port.name).is_none()
-                    {
-                        let target = session.selection.target(id, &port.name);
-                        entry(ui, OwnedKeys::of_look(session), &target, out);
-                    }
+fn add_value(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    let texts = (tr!("Key a value"), tr!("Find a value"));
+    let menu = menu::searching(ui, texts, &mut timeline.search, |ui, search| {
+        for id in &session.selection.nodes {
+            let kind =
+                session.graph().nodes.get(id).and_then(|node| session.project.catalog.of(node));
+            for port in kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default() {
+                if changes_in_time(&port.ty) && session.graph().wire_into(id, &port.name).is_none()
+                {
+                    let target = session.selection.target(id, &port.name);
+                    entry((ui, search), OwnedKeys::of_look(session), &target, out);
                 }
             }
-            if session.selection.nodes.is_empty() {
-                hint(ui, tr!("Select a node to key its values."));
-            }
-            shot_tracks::menu(ui, session, out);
-            for owned in super::owners(session) {
-                for (id, light) in &owned.look().lights {
-                    for field in light.fields().map(|field| field.name().to_owned()) {
-                        entry(ui, owned, &Target::Light { light: id.clone(), field }, out);
-                    }
+        }
+        if session.selection.nodes.is_empty() {
+            hint(ui, tr!("Select a node to key its values."));
+        }
+        shot_tracks::menu((ui, search), session, out);
+        // The scene's light first: it is what the picture shows.
+        let owners = [Owner::Scene, Owner::Look];
+        for owned in owners.into_iter().filter_map(|owner| OwnedKeys::of(session, owner)) {
+            let lights = owned.look().lights.iter().filter(|(id, _)| !owned.is_replaced(id));
+            for (id, light) in lights {
+                for field in light.fields().map(|field| field.name().to_owned()) {
+                    let target = Target::Light { light: id.clone(), field };
+                    entry((ui, search), owned, &target, out);
                 }
             }
-        });
+        }
     });
-    menu.response
-        .on_hover_text(tr!("Begins a track with the value that is seen now, at the playhead"));
+    menu.on_hover_text(tr!("Begins a track with the value that is seen now, at the playhead"));
 }
 
-fn entry(ui: &mut Ui, owned: OwnedKeys<'_>, target: &Target, out: &mut Vec<Command>) {
+/// Shows an entry that begins a track of a value without one.
+fn entry(
+    (ui, search): (&mut Ui, &mut MenuSearch),
+    owned: OwnedKeys<'_>,
+    target: &Target,
+    out: &mut Vec<Command>,
+) {
     let is_new = owned.look().time_keys.iter().all(|track| track.target != *target);
     let Some(edit) = owned.keys.key_in_time(target).filter(|_| is_new) else { return };
     let [owner, what] = rows::names_of(owned, target);
-    if ui.button(format!("{owner}: {what}")).clicked() {
+    if search.entry(ui, &format!("{owner}: {what}")) {
         out.extend(owned.once(edit));
     }
 }

@@ -201,7 +201,7 @@ pub(super) fn show(
     let graph = Graph { owned, axis, scale, index, width, is_color };
     for at in 0..width {
         for key in visible.clone() {
-            graph.key(timeline, ui, key, at);
+            graph.key(timeline, ui, (key, at), out);
         }
         for &key in &picked {
             graph.handles(ui, key, at, out);
@@ -295,7 +295,13 @@ impl Graph<'_> {
     }
 
     /// Shows a key on the curve of one number.
-    fn key(&self, timeline: &mut Timeline, ui: &Ui, index: usize, at: usize) {
+    fn key(
+        &self,
+        timeline: &mut Timeline,
+        ui: &Ui,
+        (index, at): (usize, usize),
+        out: &mut Vec<Command>,
+    ) {
         let Some(place) = self.place(index, at) else { return };
         let key = &self.track().keys[index];
         let id = ui.scope_id().with(("graph key", self.owned.owner, self.index, index, at));
@@ -310,6 +316,7 @@ impl Graph<'_> {
         let is_selected = timeline.sheet.selected.contains(&key_at);
         rows::paint_key(ui, place, key.interpolation, is_selected, handled.response.hovered());
         focus_ring(ui, &handled.response, place, 7.0);
+        rows::key_menu(&handled.response, self.owned, key_at, out);
         rows::explain(timeline, handled.response, key.time);
     }
 

@@ -19,6 +19,7 @@ mod sheet;
 mod shot_tracks;
 mod transport;
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use chiaro_locale::{text, tr};
@@ -51,14 +52,15 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
 )
 .with_each_frame(|bench, ui, session, presence| {
     let timeline = bench.memory.of::<Timeline>();
+    let mut commands: Vec<Command> = timeline.follow(session).into_iter().collect();
     if presence == Presence::Absent {
         timeline.clock.stop();
         timeline.files = FileTracks::default();
         bench.tools.playback().follow(None);
-        return Vec::new();
+        return commands;
     }
     let ticked = timeline.tick(ui, session, bench.tools.playback());
-    let mut commands: Vec<Command> = ticked.map(Command::SetTime).into_iter().collect();
+    commands.extend(ticked.map(Command::SetTime));
     transport::answer(timeline, ui, session, &mut bench.tools, &mut commands);
     // Before the graph, whose keys are some of the same.
     if let Some(panel) = timeline.panel.filter(|_| presence == Presence::Seen) {
@@ -87,6 +89,8 @@ pub(crate) struct Timeline {
     part_from: Option<f32>,
     fps: f64,
     snaps: bool,
+    /// File of the open shot, with its frames and its rate as last seen.
+    of_shot: Option<(PathBuf, TimeRange)>,
     /// Range that is played, in seconds.
     range: [f64; 2],
     /// Range that is visible, in seconds.
@@ -108,6 +112,8 @@ pub(crate) struct Timeline {
     went: Option<f64>,
     /// Marker whose name is typed.
     renaming: NameField,
+    /// Search among the values that can be keyed.
+    search: String,
     /// Command that was asked for by its name.
     asked: Option<TimelineCommand>,
 }
@@ -119,6 +125,7 @@ impl Default for Timeline {
             part_from: None,
             fps: TimeRange::default().fps,
             snaps: true,
+            of_shot: None,
             range: [0.0, 4.0],
             seen: [-0.2, 4.4],
             sheet: KeySheet::default(),
@@ -130,6 +137,7 @@ impl Default for Timeline {
             is_deleting: false,
             went: None,
             renaming: None,
+            search: String::new(),
             asked: None,
         }
     }
@@ -216,7 +224,7 @@ impl Timeline {
             hint(
                 ui,
                 tr!("Nothing changes with time yet. Press the diamond beside a value in the \
-                     inspector and choose \"Key in time\", or add a value above; then move the \
+                     inspector and choose \"Key here\", or add a value above; then move the \
                      playhead and set it to something else."),
             );
         } else {

@@ -9,6 +9,7 @@ use eframe::egui::{
 };
 
 use super::axis::Axis;
+use super::key_bar::INTERPOLATIONS;
 use super::sheet::KeyAt;
 use super::{NAMES, ROW, Timeline, graph};
 use crate::catalog::Port;
@@ -101,7 +102,7 @@ pub(super) fn show(
         return;
     }
     for key in visible {
-        key_handle(timeline, ui, owned, axis, (index, key), lane);
+        key_handle(timeline, ui, owned, axis, (index, key), lane, out);
     }
 }
 
@@ -314,6 +315,7 @@ fn key_handle(
     axis: Axis,
     (track, index): (usize, usize),
     lane: Rect,
+    out: &mut Vec<Command>,
 ) {
     let of_track = &owned.look().time_keys[track];
     let key = &of_track.keys[index];
@@ -329,7 +331,34 @@ fn key_handle(
     let is_selected = timeline.sheet.selected.contains(&place);
     paint_key(ui, at, key.interpolation, is_selected, handled.response.hovered());
     handle::focus_ring(ui, &handled.response, at, 7.0);
+    key_menu(&handled.response, owned, place, out);
     explain(timeline, handled.response, key.time);
+}
+
+/// Shows the menu of a key, by a right click: how values go on from it, and the way out.
+pub(super) fn key_menu(
+    response: &Response,
+    owned: OwnedKeys<'_>,
+    KeyAt { track: index, key, .. }: KeyAt,
+    out: &mut Vec<Command>,
+) {
+    let Some(track) = owned.look().time_keys.get(index) else { return };
+    let now = track.keys[key].interpolation;
+    response.context_menu(|ui| {
+        for (choice, text, help) in INTERPOLATIONS {
+            if ui.radio(now == choice, text.tr()).on_hover_text(help.tr()).clicked() {
+                let keys = retime::interpolated(track, &[key], choice);
+                out.extend(owned.once(Edit::SetTimeKeys { index, keys }));
+                ui.close();
+            }
+        }
+        ui.separator();
+        if ui.button(tr!("Delete key")).clicked() {
+            let edit = owned.keys.without_key(index, key);
+            out.extend(edit.and_then(|edit| owned.once(edit)));
+            ui.close();
+        }
+    });
 }
 
 /// Selects a key that is pressed, and begins to drag the selected ones; `height` is the number of
@@ -375,8 +404,8 @@ pub(super) fn explain(timeline: &Timeline, response: Response, time: f64) {
     let frame = (time * timeline.fps * 100.0).round() / 100.0;
     let time = values::number_text(time, 3);
     response.on_hover_text(tr!(
-        "{time} s, frame {frame}. Drag it, or arrow keys (a frame); Shift selects more; \
-         double-click brings the playhead here; Delete removes it."
+        "{time} s, frame {frame}. Drag it, or arrow keys (a frame); Shift selects more; a right \
+         click shapes it; double-click brings the playhead here; Delete removes it."
     ));
 }
 

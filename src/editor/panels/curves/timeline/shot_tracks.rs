@@ -18,6 +18,7 @@ use crate::state::session::Session;
 use crate::state::session::shot::json_text;
 use crate::state::shot::{ON_FRAME, OpenShot, ShotAddress, key_at};
 use crate::widgets::handle::{self, handle};
+use crate::widgets::menu::MenuSearch;
 use crate::widgets::text::cell;
 use crate::widgets::theme;
 
@@ -63,7 +64,11 @@ pub(super) fn times(session: &Session) -> Vec<f64> {
 }
 
 /// Shows the entries that key the camera and the selected object, where no keys of it are there.
-pub(super) fn menu(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+pub(super) fn menu(
+    (ui, search): (&mut Ui, &mut MenuSearch),
+    session: &Session,
+    out: &mut Vec<Command>,
+) {
     let Some((shot, scene)) = session.shot().zip(session.open_scene()) else { return };
     let of_object = scene
         .selected()
@@ -75,9 +80,8 @@ pub(super) fn menu(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             continue;
         }
         let [owner, what] = scene_names::of(&target);
-        if ui.button(format!("{owner}: {what}")).clicked() {
+        if search.entry(ui, &format!("{owner}: {what}")) {
             push(out, ShotCommand::Key(ShotAddress { look: None, target }));
-            ui.close();
         }
     }
 }
