@@ -525,6 +525,49 @@ fn nodes_are_aligned_spaced_and_tidied_up() {
     assert!(!hand.app().session().is_dirty());
 }
 
+/// Keys with several meanings do what they do at the place under the pointer: L tidies up over the
+/// graph, and paints light over the picture.
+#[test]
+fn a_key_does_what_it_does_under_the_pointer() {
+    let mut hand = sums();
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    let before = hand.look().clone();
+    hand.key(Key::L);
+    hand.settle();
+    assert!(!hand.app().fitting().is_on(), "no light is painted");
+    assert_ne!(*hand.look(), before, "the nodes have moved");
+    hand.undo();
+    assert_eq!(*hand.look(), before);
+    // Nodes that are selected are for the keys of the graph, and the picture is for its own.
+    select(&mut hand, &["sum"]);
+    let picture = hand.app().panel_place("Picture").expect("it is seen").center();
+    hand.hover(picture);
+    hand.key(Key::H);
+    assert!(!hand.look().graph.nodes["sum"].collapsed);
+    hand.hover(nothing);
+    hand.key(Key::H);
+    assert!(hand.look().graph.nodes["sum"].collapsed);
+}
+
+/// Tidying up leaves all nodes in view.
+#[test]
+fn what_is_tidied_or_pasted_is_in_view() {
+    let mut hand = sums();
+    let nothing = hand.empty_place();
+    hand.hover(nothing);
+    let in_view = |hand: &User, id: &str| {
+        let graph = hand.app().panel_place("Graph").expect("it is seen");
+        graph.contains_rect(hand.app().canvas().node_rect(id).expect("it is there"))
+    };
+    hand.app_mut().canvas_mut().set_zoom_and_center(1.0, pos2(5000.0, 5000.0));
+    hand.settle();
+    assert!(!in_view(&hand, "sum"));
+    hand.key(Key::L);
+    hand.settle();
+    assert!(["sum", "half", "output"].iter().all(|id| in_view(&hand, id)));
+}
+
 #[test]
 fn edges_snap_to_those_of_neighbors() {
     let mut hand = sums();

@@ -372,6 +372,12 @@ impl Canvas {
         let links: Vec<Link> = self.table.wires.iter().filter_map(link).collect();
         let rects: Vec<Rect> = indices.iter().map(|&index| self.table.nodes[index].rect).collect();
         let places = arrange::layers(&rects, &links);
+        let laid = places.iter().zip(&rects);
+        let bounds =
+            edits::around(laid.map(|(&place, rect)| Rect::from_min_size(place, rect.size())));
+        if !self.view.visible().contains_rect(bounds) {
+            self.view.fit(bounds);
+        }
         let ids = indices.iter().map(|&index| self.table.nodes[index].id.clone());
         let edit = edits::put(session, ids.zip(places));
         out.push(Command::Edit(edit));
