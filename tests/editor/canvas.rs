@@ -550,7 +550,7 @@ fn a_key_does_what_it_does_under_the_pointer() {
     assert!(hand.look().graph.nodes["sum"].collapsed);
 }
 
-/// Tidying up leaves all nodes in view.
+/// Tidying up far nodes, and pasting, leave what they did in view.
 #[test]
 fn what_is_tidied_or_pasted_is_in_view() {
     let mut hand = sums();
@@ -566,6 +566,19 @@ fn what_is_tidied_or_pasted_is_in_view() {
     hand.key(Key::L);
     hand.settle();
     assert!(["sum", "half", "output"].iter().all(|id| in_view(&hand, id)));
+
+    // A layer is pasted while the canvas shows none of the stack.
+    let mut hand = User::new();
+    hand.press("Layer Diffuse");
+    hand.app_mut().canvas_mut().set_zoom_and_center(1.0, pos2(5000.0, 5000.0));
+    hand.settle();
+    let zoom = hand.app().canvas().zoom_and_center().0;
+    let text = r#"{"nodes": [{"id": "rim", "kind": "light_layer", "at": [10, 10]}]}"#;
+    hand.harness.event(Event::Paste(text.to_owned()));
+    hand.settle();
+    assert!(hand.look().graph.nodes.contains_key("rim"), "{:?}", hand.app().message());
+    assert!(in_view(&hand, "rim"));
+    assert_eq!(hand.app().canvas().zoom_and_center().0, zoom, "there is room for it");
 }
 
 #[test]
