@@ -270,21 +270,10 @@ fn a_frame_gets_a_color_from_its_menu() {
     hand.key_with(CTRL, Key::J);
     hand.key(Key::Escape);
     let title = hand.app().canvas().frame_title("frame").unwrap().center();
-    right_click(&mut hand, title);
+    hand.right_click(title);
     let at = hand.harness.get_by_label("Color Teal").rect().center();
     hand.click(at);
     assert_eq!(hand.look().graph.frames["frame"].color.len(), 3);
-}
-
-fn right_click(hand: &mut User, at: Pos2) {
-    hand.hover(at);
-    hand.harness.run_steps(4);
-    for pressed in [true, false] {
-        let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
-        hand.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers });
-        hand.harness.step();
-    }
-    hand.harness.run_steps(3);
 }
 
 #[test]
@@ -629,7 +618,7 @@ fn a_problem_on_a_node_has_a_fix() {
     ], "wires": [{"from": "base", "to": "output.color"}]}));
     assert!(hand.app().canvas().has_error("base"));
     let at = node_center(&hand, "base");
-    right_click(&mut hand, at);
+    hand.right_click(at);
     let at = hand.harness.get_by_label("Fix: Make it Base").rect().center();
     hand.click(at);
     hand.settle();
@@ -689,7 +678,7 @@ fn the_sheet_lists_keys_and_the_palette_runs_commands() {
 fn the_menu_of_a_node_says_what_can_be_done() {
     let mut hand = sums();
     let at = node_center(&hand, "sum");
-    right_click(&mut hand, at);
+    hand.right_click(at);
     assert_eq!(selected(&hand), ["sum"]);
     let at =
         hand.harness.get_by_role_and_label(accesskit::Role::Button, "Make a group").rect().center();

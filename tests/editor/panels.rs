@@ -562,3 +562,47 @@ fn the_difference_of_automatic_tiers_stands_beside_the_tier() {
     hand.settle();
     assert!(hand.harness.query_by_label("Difference").is_none(), "nothing is automatic");
 }
+
+/// A layer's menu copies it and pastes it, and says what Ctrl+V does next.
+#[test]
+fn the_menu_of_a_layer_copies_and_pastes_it() {
+    let mut hand = User::new();
+    let count = hand.look().graph.nodes.len();
+    hand.press("More of Diffuse");
+    hand.press("Copy layer");
+    let told = hand.app().message().expect("it says so").to_owned();
+    assert!(told.contains("Diffuse") && told.contains("Ctrl+V"), "{told}");
+    let text = hand.take_copied().expect("a text");
+    // It is laid over the layer whose menu it was, also while another is selected.
+    let other = hand.look().graph.nodes.keys().last().expect("one").clone();
+    hand.app_mut().session_mut().select(vec![other]);
+    hand.settle();
+    hand.press("More of Diffuse");
+    hand.press("Paste above");
+    assert_eq!(hand.app().session().selection().nodes().next().expect("one").as_str(), "diffuse");
+    hand.harness.event(eframe::egui::Event::Paste(text));
+    hand.settle();
+    assert_eq!(hand.look().graph.nodes.len(), count + 1, "{:?}", hand.app().message());
+    let wires = &hand.look().graph.wires;
+    let above = wires.iter().find(|wire| wire.from.node.as_str() == "diffuse").expect("a wire");
+    assert!(above.to.node.as_str().starts_with("diffuse"), "{above:?}");
+}
+
+/// The menu of a value opens on its label and on all that sets it.
+#[test]
+fn the_menu_of_a_value_opens_anywhere_on_its_row() {
+    let mut hand = User::new();
+    hand.press("Layer Diffuse");
+    for widget in ["number", "slider", "swatch"] {
+        let place = match widget {
+            "number" => hand.number_field("Offset"),
+            "slider" => hand.slider("Offset"),
+            _ => hand.swatch("Convex color"),
+        };
+        assert!(!hand.has("Variations..."));
+        hand.right_click(place.center());
+        assert!(hand.has("Variations..."), "the {widget} has no menu");
+        hand.key(Key::Escape);
+        hand.settle();
+    }
+}

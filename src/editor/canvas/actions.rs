@@ -1,6 +1,6 @@
 //! Actions of keys, menus and the command palette on the canvas.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{Event, Id, Pos2, Rect, Ui, Vec2, pos2};
 
@@ -228,9 +228,15 @@ impl Canvas {
             GraphCommand::Copy | GraphCommand::Cut => {
                 let text = grouping::copy_text(session.look(), of, chosen, &[]);
                 out.push(Command::Copy(text));
+                let copied = trn!(
+                    count = chosen.len(),
+                    "{count} node is copied · Ctrl+V adds it, in this look or another",
+                    "{count} nodes are copied · Ctrl+V adds them, in this look or another"
+                );
                 if command == GraphCommand::Cut {
                     out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit));
                 }
+                out.push(Command::Tell(copied));
             }
             GraphCommand::Upstream => {
                 out.push(Command::Select(edits::stream(session, chosen, true)));

@@ -66,6 +66,8 @@ pub(crate) struct Layers {
     renaming: Option<NameEdit<NodeId>>,
     /// Layers that are being dragged.
     dragged: Vec<NodeId>,
+    /// True from *Paste above* until the clipboard's text is there: the row keeps the keyboard.
+    is_pasting: bool,
     /// Node that was selected when the panel was shown last.
     shown_for: Option<NodeId>,
     pictures: HashMap<NodeId, LayerPicture>,
@@ -304,6 +306,7 @@ impl Layers {
         ) {
             self.duplicate(session, id, out);
         }
+        self.copy_entries(ui, session, id, out);
         let can = |is_up| self.tree.beside(&acting, is_up, |id| self.closed.contains(id)).is_some();
         if entry(
             ui,
@@ -360,6 +363,30 @@ impl Layers {
         }
     }
 
+    /// Shows the entries of a layer's menu that copy it, and lay a copied one over it.
+    fn copy_entries(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        id: &NodeId,
+        out: &mut Vec<Command>,
+    ) {
+        let acting = self.acting(session, id);
+        let label = if acting.len() == 1 { tr!("Copy layer") } else { tr!("Copy layers") };
+        let help = tr!("With all that feeds it, for this look or another (Ctrl+C)");
+        if ui.button(label).on_hover_text(help).clicked() {
+            clipboard::copy(session, &acting, out);
+        }
+        let help = tr!("Lays what was copied over it (Ctrl+V)");
+        if ui.button(tr!("Paste above")).on_hover_text(help).clicked() {
+            select(session, vec![id.clone()], out);
+            // The text comes as a key would, to the row that has the keyboard.
+            ui.memory_mut(|memory| memory.request_focus(row::focus_id(id)));
+            ui.send_viewport_cmd(egui::ViewportCommand::RequestPaste);
+            self.is_pasting = true;
+        }
+    }
+
     fn rename(&mut self, session: &Session, id: &NodeId) {
         let name = session.look().graph.nodes.get(id).map_or("", |node| &node.name);
         self.renaming = Some(NameEdit::new(id.clone(), name));
@@ -396,7 +423,11 @@ impl Layers {
         session: &Session,
         out: &mut Vec<Command>,
     ) {
-        leave_with_pointer(ui, response);
+        // The menu of *Paste above* may lie beside the panel, and the pointer with it.
+        self.is_pasting &= !ui.input(|input| input.pointer.any_pressed());
+        if !self.is_pasting {
+            leave_with_pointer(ui, response);
+        }
         if !response.has_focus() {
             return;
         }
@@ -454,6 +485,7 @@ impl Layers {
         if is_cut || is_deleted {
             out.push(Command::Edit(self.tree.remove(session.look(), &acting)));
         }
+        out.extend(is_cut.then(|| Command::Tell(clipboard::told(session, &acting))));
         undo_keys(ui, out);
     }
 
