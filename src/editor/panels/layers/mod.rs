@@ -3,6 +3,7 @@
 
 mod band_bar;
 mod clipboard;
+mod cost;
 mod drop;
 mod masks;
 mod picture;
@@ -25,18 +26,22 @@ use crate::fields::shot::ChangedRow;
 use crate::ids::{NodeId, NodePath, make_slug};
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::parts::saving::PartChoice;
+use crate::state::picture_cost::PictureCost;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
+use crate::state::stack::owners::LayerOwners;
 use crate::state::stack::tree::{LayerPlace, LayerTree, TreeRow};
 use crate::state::stack::{BELOW, normals};
 use crate::state::worker::BackgroundJobs;
 use crate::values;
+use crate::viewport::picture::ViewportPicture;
 use crate::viewport::solo_bar;
 use crate::widgets::menu::scrolling;
 use crate::widgets::rows::{NameEdit, leave_with_pointer, undo_keys};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
+use cost::LayerCosts;
 use drop::DropTarget;
 use presets::PRESETS;
 pub(crate) use presets::{LayerPreset, preset_parts};
@@ -47,7 +52,11 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     text!("Layers"),
     text!("The look as a stack of layers: another view of the same graph"),
     PanelPlace::WITH_DOCUMENT,
-    |bench, ui, context| bench.memory.of::<Layers>().show(ui, context.session, &bench.thumbs),
+    |bench, ui, context| {
+        let cost = bench.picture.as_ref().map(ViewportPicture::cost);
+        let layers = bench.memory.of::<Layers>();
+        layers.show(ui, context.session, (&bench.thumbs, cost))
+    },
 )
 .with_jobs(|bench| &bench.thumbs);
 
@@ -57,6 +66,7 @@ pub(crate) struct Layers {
     /// Document and revision that the layers were found in.
     of: Option<(DocumentNumber, LookRevision)>,
     tree: LayerTree,
+    owners: LayerOwners,
     /// Layers that are listed.
     rows: Vec<TreeRow>,
     /// Folders whose layers are not listed.
@@ -83,8 +93,14 @@ struct LayerPicture {
 
 impl Layers {
     /// Shows the stack.
-    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        (thumbs, cost): (&Thumbs, Option<&PictureCost>),
+    ) -> Vec<Command> {
         self.sync(session);
+        let costs = cost.map(|cost| LayerCosts::new(cost, &self.owners));
         let mut out = Vec::new();
         self.bar(ui, session, &mut out);
         if !session.view.solo.layers.is_empty() {
@@ -120,7 +136,8 @@ impl Layers {
                 match self.rows.get(index).cloned() {
                     Some(row) => {
                         let rect = rect_of(index, row.depth, ui);
-                        rows.push((index, self.layer(ui, rect, session, thumbs, &row, &mut out)));
+                        let shown = (thumbs, costs.as_ref());
+                        rows.push((index, self.layer(ui, rect, session, shown, &row, &mut out)));
                     }
                     None => self.ground(ui, rect_of(index, 0, ui), session, thumbs, &mut out),
                 }
@@ -166,6 +183,7 @@ impl Layers {
             }
             self.of = Some(of);
             self.tree = LayerTree::of(session.look(), &session.project.catalog);
+            self.owners = LayerOwners::of(session.look(), &self.tree);
             self.dragged.retain(|id| self.tree.contains(id));
             self.closed.retain(|id| self.tree.is_folder(id));
             self.list();
@@ -233,7 +251,7 @@ impl Layers {
         ui: &mut Ui,
         rect: Rect,
         session: &Session,
-        thumbs: &Thumbs,
+        (thumbs, costs): (&Thumbs, Option<&LayerCosts<'_>>),
         row: &TreeRow,
         out: &mut Vec<Command>,
     ) -> Response {
@@ -251,7 +269,8 @@ impl Layers {
         let is_closed = self.closed.contains(id);
         let folder = row.is_folder.then_some(FolderRow { is_closed });
         let (rows, tree) = (&self.rows[..], &self.tree);
-        let shown_row = Row { session, id, node, kind, tree, rows, acting: &acting, folder };
+        let cost = costs.map(|costs| costs.of(tree, id, is_closed));
+        let shown_row = Row { session, id, node, kind, tree, rows, acting: &acting, folder, cost };
         let mode = shown_row.mode().unwrap_or_else(|| match row.is_folder {
             true => "alpha".to_owned(),
             false => String::new(),
@@ -573,7 +592,8 @@ impl Layers {
         };
         let texture = texture(&mut self.pictures, ui, session, thumbs, &ground.node, None);
         let (tree, rows, id) = (&self.tree, &self.rows[..], &ground.node);
-        let row = Row { session, id, node, kind, tree, rows, acting: &[], folder: None };
+        let row =
+            Row { session, id, node, kind, tree, rows, acting: &[], folder: None, cost: None };
         row.show_ground(ui, rect, texture, out);
     }
 }
