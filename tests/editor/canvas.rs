@@ -562,11 +562,11 @@ fn what_is_tidied_or_pasted_is_in_view() {
     hand.app_mut().canvas_mut().set_zoom_and_center(1.0, pos2(5000.0, 5000.0));
     hand.settle();
     let zoom = hand.app().canvas().zoom_and_center().0;
-    let text = r#"{"nodes": [{"id": "rim", "kind": "light_layer", "at": [10, 10]}]}"#;
+    let text = r#"{"nodes": [{"id": "pasted_rim", "kind": "light_layer", "at": [10, 10]}]}"#;
     hand.harness.event(Event::Paste(text.to_owned()));
     hand.settle();
-    assert!(hand.look().graph.nodes.contains_key("rim"), "{:?}", hand.app().message());
-    assert!(in_view(&hand, "rim"));
+    assert!(hand.look().graph.nodes.contains_key("pasted_rim"), "{:?}", hand.app().message());
+    assert!(in_view(&hand, "pasted_rim"));
     assert_eq!(hand.app().canvas().zoom_and_center().0, zoom, "there is room for it");
 }
 

@@ -84,8 +84,8 @@ pub(crate) fn marked(
     }
 }
 
-/// Opens the menu of a value by a right click anywhere on its row: the label, the number, the slider
-/// and the swatch take other clicks.
+/// Opens the menu of a value by a right click anywhere on its row: the label, the number, the
+/// slider and the swatch take other clicks.
 fn menu_of_row(ui: &Ui, label: &egui::Response, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     let is_asked = ui.input(|input| input.pointer.secondary_clicked())
         && ui.rect_contains_pointer(ui.min_rect());
