@@ -245,6 +245,30 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
 }
 
+/// Lines and labels of handles are on the look's own side of the divider alone.
+#[test]
+fn handles_leave_the_other_picture_of_a_wipe_free() {
+    let mut hand = User::drawing_with(|app, _| app);
+    hand.press("Layer Diffuse");
+    compare_with(&mut hand, "Compare", "Exact");
+    let rect = picture(&hand);
+    // Between the names above and the bars below, on either side of the divider.
+    let side = |hand: &mut User, from: f32, to: f32| {
+        hand.settle();
+        let image = hand.harness.render().unwrap();
+        let at = |part: f32| (rect.left() + part * rect.width()) as u32;
+        let rows = (rect.top() + 0.25 * rect.height()) as u32..(rect.bottom() - 90.0) as u32;
+        let pixels = rows.flat_map(|y| (at(from)..at(to)).map(move |x| (x, y)));
+        pixels.map(|(x, y)| image.get_pixel(x, y).0).collect::<Vec<_>>()
+    };
+    hand.hover(rect.left_center() + vec2(20.0, 0.0));
+    let with = [side(&mut hand, 0.05, 0.45), side(&mut hand, 0.55, 0.95)];
+    hand.key(Key::H);
+    let without = [side(&mut hand, 0.05, 0.45), side(&mut hand, 0.55, 0.95)];
+    assert!(with[0] != without[0], "the handles are there");
+    assert!(with[1] == without[1], "and not over the picture that is compared with");
+}
+
 #[test]
 fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     use chiaro::accuracy::MeasuredTier;
