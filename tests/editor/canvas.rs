@@ -284,21 +284,10 @@ fn a_frame_gets_a_color_from_its_menu() {
     hand.key_with(CTRL, Key::J);
     hand.key(Key::Escape);
     let title = hand.app().canvas().frame_title("frame").unwrap().center();
-    right_click(&mut hand, title);
+    hand.right_click(title);
     let at = hand.harness.get_by_label("Color Teal").rect().center();
     hand.click(at);
     assert_eq!(hand.look().graph.frames["frame"].color.len(), 3);
-}
-
-fn right_click(hand: &mut User, at: Pos2) {
-    hand.hover(at);
-    hand.harness.run_steps(4);
-    for pressed in [true, false] {
-        let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
-        hand.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers });
-        hand.harness.step();
-    }
-    hand.harness.run_steps(3);
 }
 
 #[test]
@@ -539,6 +528,62 @@ fn nodes_are_aligned_spaced_and_tidied_up() {
     assert!(!hand.app().session().is_dirty());
 }
 
+/// Keys with several meanings do what they do at the place under the pointer: L tidies up over the
+/// graph, and paints light over the picture.
+#[test]
+fn a_key_does_what_it_does_under_the_pointer() {
+    let mut hand = sums();
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    let before = hand.look().clone();
+    hand.key(Key::L);
+    hand.settle();
+    assert!(!hand.app().fitting().is_on(), "no light is painted");
+    assert_ne!(*hand.look(), before, "the nodes have moved");
+    hand.undo();
+    assert_eq!(*hand.look(), before);
+    // Nodes that are selected are for the keys of the graph, and the picture is for its own.
+    select(&mut hand, &["sum"]);
+    let picture = hand.app().panel_place("Picture").expect("it is seen").center();
+    hand.hover(picture);
+    hand.key(Key::H);
+    assert!(!hand.look().graph.nodes["sum"].collapsed);
+    hand.hover(nothing);
+    hand.key(Key::H);
+    assert!(hand.look().graph.nodes["sum"].collapsed);
+}
+
+/// Tidying up far nodes, and pasting, leave what they did in view.
+#[test]
+fn what_is_tidied_or_pasted_is_in_view() {
+    let mut hand = sums();
+    let nothing = hand.empty_place();
+    hand.hover(nothing);
+    let in_view = |hand: &User, id: &str| {
+        let graph = hand.app().panel_place("Graph").expect("it is seen");
+        graph.contains_rect(hand.app().canvas().node_rect(id).expect("it is there"))
+    };
+    hand.app_mut().canvas_mut().set_zoom_and_center(1.0, pos2(5000.0, 5000.0));
+    hand.settle();
+    assert!(!in_view(&hand, "sum"));
+    hand.key(Key::L);
+    hand.settle();
+    assert!(["sum", "half", "output"].iter().all(|id| in_view(&hand, id)));
+
+    // A layer is pasted while the canvas shows none of the stack.
+    let mut hand = User::new();
+    hand.press("Layer Diffuse");
+    hand.app_mut().canvas_mut().set_zoom_and_center(1.0, pos2(5000.0, 5000.0));
+    hand.settle();
+    let zoom = hand.app().canvas().zoom_and_center().0;
+    let text = r#"{"nodes": [{"id": "pasted_rim", "kind": "light_layer", "at": [10, 10]}]}"#;
+    hand.harness.event(Event::Paste(text.to_owned()));
+    hand.settle();
+    assert!(hand.look().graph.nodes.contains_key("pasted_rim"), "{:?}", hand.app().message());
+    assert!(in_view(&hand, "pasted_rim"));
+    assert_eq!(hand.app().canvas().zoom_and_center().0, zoom, "there is room for it");
+}
+
 #[test]
 fn edges_snap_to_those_of_neighbors() {
     let mut hand = sums();
@@ -587,7 +632,7 @@ fn a_problem_on_a_node_has_a_fix() {
     ], "wires": [{"from": "base", "to": "output.color"}]}));
     assert!(hand.app().canvas().has_error("base"));
     let at = node_center(&hand, "base");
-    right_click(&mut hand, at);
+    hand.right_click(at);
     let at = hand.harness.get_by_label("Fix: Make it Base").rect().center();
     hand.click(at);
     hand.settle();
@@ -647,7 +692,7 @@ fn the_sheet_lists_keys_and_the_palette_runs_commands() {
 fn the_menu_of_a_node_says_what_can_be_done() {
     let mut hand = sums();
     let at = node_center(&hand, "sum");
-    right_click(&mut hand, at);
+    hand.right_click(at);
     assert_eq!(selected(&hand), ["sum"]);
     let at =
         hand.harness.get_by_role_and_label(accesskit::Role::Button, "Make a group").rect().center();

@@ -191,6 +191,23 @@ fn notes_of_a_mesh_follow_the_language() {
     }
 }
 
+/// The status bar says nothing of the language before once another is spoken.
+#[test]
+fn what_was_told_in_another_language_goes() {
+    if !is_alone("what_was_told_in_another_language_goes") {
+        return;
+    }
+    let mut hand = User::new();
+    hand.press("More of Diffuse");
+    hand.press("Copy layer");
+    assert!(hand.says("Copied: Diffuse"));
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text("language: deutsch");
+    hand.key(Key::Enter);
+    hand.settle();
+    assert!(!hand.says("Copied: Diffuse") && hand.app().message().is_none());
+}
+
 #[test]
 fn german_values_of_wires_lie_within_the_canvas() {
     if !is_alone("german_values_of_wires_lie_within_the_canvas") {

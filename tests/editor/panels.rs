@@ -309,6 +309,30 @@ fn a_comparison_needs_no_room() {
     assert!(hand.app().wipe().figures().is_some(), "with room it goes on");
 }
 
+/// Lines and labels of handles are on the look's own side of the divider alone.
+#[test]
+fn handles_leave_the_other_picture_of_a_wipe_free() {
+    let mut hand = User::drawing_with(|app, _| app);
+    hand.press("Layer Diffuse");
+    compare_with(&mut hand, "Compare", "Exact");
+    let rect = picture(&hand);
+    // Between the names above and the bars below, on either side of the divider.
+    let side = |hand: &mut User, from: f32, to: f32| {
+        hand.settle();
+        let image = hand.harness.render().unwrap();
+        let at = |part: f32| (rect.left() + part * rect.width()) as u32;
+        let rows = (rect.top() + 0.25 * rect.height()) as u32..(rect.bottom() - 90.0) as u32;
+        let pixels = rows.flat_map(|y| (at(from)..at(to)).map(move |x| (x, y)));
+        pixels.map(|(x, y)| image.get_pixel(x, y).0).collect::<Vec<_>>()
+    };
+    hand.hover(rect.left_center() + vec2(20.0, 0.0));
+    let with = [side(&mut hand, 0.05, 0.45), side(&mut hand, 0.55, 0.95)];
+    hand.key(Key::H);
+    let without = [side(&mut hand, 0.05, 0.45), side(&mut hand, 0.55, 0.95)];
+    assert!(with[0] != without[0], "the handles are there");
+    assert!(with[1] == without[1], "and not over the picture that is compared with");
+}
+
 #[test]
 fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     use chiaro::accuracy::MeasuredTier;
@@ -625,4 +649,48 @@ fn the_difference_of_automatic_tiers_stands_beside_the_tier() {
     hand.app_mut().session_mut().apply(exact, None).expect("a look has a tier");
     hand.settle();
     assert!(hand.harness.query_by_label("Difference").is_none(), "nothing is automatic");
+}
+
+/// A layer's menu copies it and pastes it, and says what Ctrl+V does next.
+#[test]
+fn the_menu_of_a_layer_copies_and_pastes_it() {
+    let mut hand = User::new();
+    let count = hand.look().graph.nodes.len();
+    hand.press("More of Diffuse");
+    hand.press("Copy layer");
+    let told = hand.app().message().expect("it says so").to_owned();
+    assert!(told.contains("Diffuse") && told.contains("Ctrl+V"), "{told}");
+    let text = hand.take_copied().expect("a text");
+    // It is laid over the layer whose menu it was, also while another is selected.
+    let other = hand.look().graph.nodes.keys().last().expect("one").clone();
+    hand.app_mut().session_mut().select(vec![other]);
+    hand.settle();
+    hand.press("More of Diffuse");
+    hand.press("Paste above");
+    assert_eq!(hand.app().session().selection().nodes().next().expect("one").as_str(), "diffuse");
+    hand.harness.event(eframe::egui::Event::Paste(text));
+    hand.settle();
+    assert_eq!(hand.look().graph.nodes.len(), count + 1, "{:?}", hand.app().message());
+    let wires = &hand.look().graph.wires;
+    let above = wires.iter().find(|wire| wire.from.node.as_str() == "diffuse").expect("a wire");
+    assert!(above.to.node.as_str().starts_with("diffuse"), "{above:?}");
+}
+
+/// The menu of a value opens on its label and on all that sets it.
+#[test]
+fn the_menu_of_a_value_opens_anywhere_on_its_row() {
+    let mut hand = User::new();
+    hand.press("Layer Diffuse");
+    for widget in ["number", "slider", "swatch"] {
+        let place = match widget {
+            "number" => hand.number_field("Offset"),
+            "slider" => hand.slider("Offset"),
+            _ => hand.swatch("Convex color"),
+        };
+        assert!(!hand.has("Variations..."));
+        hand.right_click(place.center());
+        assert!(hand.has("Variations..."), "the {widget} has no menu");
+        hand.key(Key::Escape);
+        hand.settle();
+    }
 }

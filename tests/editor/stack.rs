@@ -729,3 +729,22 @@ fn a_mask_is_painted_on_the_model_stroke_by_stroke() {
     assert!(hand.look().graph.wire_into(&"diffuse".into(), &"opacity".into()).is_none());
     assert!(!file.exists(), "the untouched mask goes with its step");
 }
+
+/// Each layer's row tells its share of the picture's time, and *Cost and accuracy* lists layers and
+/// not the nodes behind them.
+#[test]
+fn costs_are_told_by_the_layers_of_the_stack() {
+    let mut hand = User::drawing_with(|app, _| app);
+    hand.app_mut().open(std::path::Path::new("examples/looks/highlight-cut.json"));
+    hand.settle();
+    for layer in ["Rim's light", "Highlight on top", "Shadow"] {
+        assert!(hand.says(&format!("Cost of {layer}: ")), "{layer}");
+    }
+    hand.tab("Cost and accuracy");
+    let links = |name: &str| hand.harness.query_all_by_role_and_label(Role::Link, name).count();
+    assert_eq!(links("Highlight on top"), 1);
+    assert_eq!(links("Shared by several layers"), 1, "what is in the dark is for two of them");
+    for node in ["Lit side", "Bite", "Disc", "Crescent", "Dot", "In the dark"] {
+        assert_eq!(links(node), 0, "{node}");
+    }
+}

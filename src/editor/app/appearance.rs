@@ -33,6 +33,8 @@ impl App {
         self.safety.change_settings(|settings| settings.language = tag.map(str::to_owned));
         self.safety.settings.speak();
         self.session.tell_again();
+        // What was told before is of the language before.
+        self.message = None;
     }
 
     /// Shows the menu of languages, by their own names.

@@ -43,7 +43,6 @@ fn keeps_message(command: &Command) -> bool {
         | Command::OpenGraph(_)
         | Command::OpenPalette
         | Command::Scale(_)
-        | Command::Speak(_)
         | Command::OpenShortcuts
         | Command::Copy(_)
         | Command::CopyShader(..)

@@ -423,6 +423,7 @@ impl App {
     /// Shows the window for one frame.
     pub fn show(&mut self, ui: &mut Ui) {
         keyboard::begin_frame(ui.ctx());
+        keyboard::set_pointed(ui.ctx(), self.pointed_keys(ui));
         if ui.input(|input| input.pointer.any_pressed()) {
             self.presses += 1;
         }
@@ -637,6 +638,22 @@ impl App {
         }
     }
 
+    /// Place of keys under the pointer, by where the panels were in the last frame: a key that has
+    /// several meanings does what it does there, whichever panel is shown first.
+    fn pointed_keys(&self, ui: &Ui) -> Option<KeyScope> {
+        let at = ui.input(|input| input.pointer.hover_pos()).filter(|_| self.start.is_none())?;
+        if self.bench.painting.has_pointer() {
+            return Some(KeyScope::Painting);
+        }
+        let is_over = |panel| self.dock.place(panel).is_some_and(|place| place.contains(at));
+        match () {
+            () if is_over(PanelId::GRAPH) && !self.bench.wedge.is_large() => Some(KeyScope::Graph),
+            () if is_over(PanelId::PICTURE) && self.fitting().is_on() => Some(KeyScope::Light),
+            () if is_over(PanelId::PICTURE) => Some(KeyScope::Picture),
+            () => None,
+        }
+    }
+
     fn shortcuts(&self, ui: &Ui, commands: &mut Vec<Command>) {
         let is_typing = keyboard::is_keyboard_taken(ui.ctx());
         // A text field with the keyboard has an undo of its own, and takes question marks; a handle
@@ -655,16 +672,12 @@ impl App {
         };
         for row in table::rows().filter(is_here) {
             if keyboard::is_dialog_open(ui.ctx())
-                || row.place == KeyScope::Picture
-                    && (is_typing
-                        || has_list
-                        || self.start.is_some()
-                        || self.bench.painting.has_pointer())
+                || row.place == KeyScope::Picture && (is_typing || has_list || self.start.is_some())
                 || is_text_edited && is_text(&row.command)
             {
                 continue;
             }
-            if row.keys.iter().any(|&key| keyboard::take(ui, key)) {
+            if row.take(ui) {
                 commands.push(row.command.clone());
             }
         }

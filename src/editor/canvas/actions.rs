@@ -1,6 +1,6 @@
 //! Actions of keys, menus and the command palette on the canvas.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{Event, Id, Pos2, Rect, Ui, Vec2, pos2};
 
@@ -229,9 +229,15 @@ impl Canvas {
             GraphCommand::Copy | GraphCommand::Cut => {
                 let text = grouping::copy_text(session.look(), of, chosen, &[]);
                 out.push(Command::Copy(text));
+                let copied = trn!(
+                    count = chosen.len(),
+                    "{count} node is copied · Ctrl+V adds it, in this look or another",
+                    "{count} nodes are copied · Ctrl+V adds them, in this look or another"
+                );
                 if command == GraphCommand::Cut {
                     out.extend(edits::delete(session, chosen.iter().cloned()).map(Command::Edit));
                 }
+                out.push(Command::Tell(copied));
             }
             GraphCommand::Upstream => {
                 out.push(Command::Select(edits::stream(session, chosen, true)));
@@ -373,6 +379,12 @@ impl Canvas {
         let links: Vec<Link> = self.table.wires.iter().filter_map(link).collect();
         let rects: Vec<Rect> = indices.iter().map(|&index| self.table.nodes[index].rect).collect();
         let places = arrange::layers(&rects, &links);
+        let laid = places.iter().zip(&rects);
+        let bounds =
+            edits::around(laid.map(|(&place, rect)| Rect::from_min_size(place, rect.size())));
+        if !self.view.visible().contains_rect(bounds) {
+            self.view.fit(bounds);
+        }
         let ids = indices.iter().map(|&index| self.table.nodes[index].id.clone());
         let edit = edits::put(session, ids.zip(places));
         out.push(Command::Edit(edit));

@@ -159,6 +159,8 @@ impl Canvas {
         let revisions = (session.revisions().document, session.revision());
         let language = chiaro_locale::spoken_tag();
         let key = (revisions.0, revisions.1, session.selection.graph_number(), language);
+        let is_open =
+            self.document == Some(revisions.0) && self.place == session.selection.open_groups();
         let group = match session.selection.graph_id() {
             GraphId::Look => None,
             GraphId::Definition(id) => Some(id.as_str()),
@@ -174,6 +176,9 @@ impl Canvas {
             self.gesture = Gesture::Idle;
             self.menu_hit = None;
             self.note_passes(session);
+            if is_open {
+                self.show_added(session);
+            }
         }
         self.shot_marks = shot_marks::shot_marks(session);
         self.measure_notes(ui);
@@ -208,6 +213,15 @@ impl Canvas {
             && let Some(index) = self.table.index_of(&id)
         {
             self.view.reveal(self.table.nodes[index].rect);
+        }
+    }
+
+    /// Brings new nodes into view where one of them is selected, as after pasting: these are the
+    /// artist's, while others come back by undo.
+    fn show_added(&mut self, session: &Session) {
+        let added = || self.table.added.iter().map(|&index| &self.table.nodes[index]);
+        if added().any(|row| session.selection.nodes.contains(&row.id)) {
+            self.view.include(edits::around(added().map(|row| row.rect)));
         }
     }
 

@@ -141,6 +141,8 @@ pub(crate) struct Table {
     /// Frames, the largest first.
     pub(crate) frames: Vec<FrameRow>,
     pub(crate) notes: Vec<NoteRow>,
+    /// Nodes that the table had not before it was made again.
+    pub(crate) added: Vec<usize>,
     by_id: HashMap<NodeId, usize>,
 }
 
@@ -192,8 +194,11 @@ impl Table {
         if let Some(ends) = group.and_then(|group| catalog.ends(group)) {
             self.add_ends(ends, group.is_some_and(names::is_own));
         }
-        self.by_id =
+        let by_id =
             self.nodes.iter().enumerate().map(|(index, row)| (row.id.clone(), index)).collect();
+        let known = std::mem::replace(&mut self.by_id, by_id);
+        let is_new = |index: &usize| !known.contains_key(&self.nodes[*index].id);
+        self.added = (0..self.nodes.len()).filter(is_new).collect();
         self.sync_wires(graph);
         self.level_ends();
         self.find_unused(driving);

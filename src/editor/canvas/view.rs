@@ -102,6 +102,24 @@ impl CanvasView {
             self.center = bounds.center();
         }
     }
+
+    /// Moves the view just far enough to have `bounds` in it, and shows more of the graph where
+    /// they are too large for it.
+    pub(crate) fn include(&mut self, bounds: Rect) {
+        let is_there = bounds.is_finite() && self.screen.is_positive();
+        if !is_there || self.visible().contains_rect(bounds) {
+            return;
+        }
+        let room = (self.screen.size() - Vec2::splat(2.0 * MARGIN)).max(vec2(40.0, 40.0));
+        self.zoom = bounded(self.zoom.min(room.x / bounds.width()).min(room.y / bounds.height()));
+        let half = 0.5 * room / self.zoom;
+        let within = |center: f32, half: f32, [from, to]: [f32; 2]| {
+            let (least, most) = (to - half, from + half);
+            if least <= most { center.clamp(least, most) } else { 0.5 * (from + to) }
+        };
+        self.center.x = within(self.center.x, half.x, [bounds.min.x, bounds.max.x]);
+        self.center.y = within(self.center.y, half.y, [bounds.min.y, bounds.max.y]);
+    }
 }
 
 #[cfg(test)]
@@ -127,6 +145,26 @@ mod tests {
         let bounds = Rect::from_min_max(pos2(-500.0, 0.0), pos2(3000.0, 100.0));
         view.fit(bounds);
         assert!(view.visible().contains_rect(bounds));
+    }
+
+    #[test]
+    fn what_is_added_comes_into_view_by_as_little_as_that_takes() {
+        let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
+        let start = CanvasView { screen, center: pos2(400.0, 300.0), zoom: 1.0 };
+        let included = |bounds: Rect| {
+            let mut view = start;
+            view.include(bounds);
+            assert!(view.visible().contains_rect(bounds), "{view:?}");
+            view
+        };
+        let node = |x: f32, y: f32| Rect::from_min_size(pos2(x, y), vec2(184.0, 200.0));
+        assert_eq!(included(node(10.0, 10.0)), start, "nothing moves for what is seen");
+        let right = included(node(900.0, 100.0));
+        assert_eq!((right.zoom, right.center.y), (1.0, 300.0));
+        assert!((right.visible().max.x - 1084.0 - MARGIN).abs() < 1e-3);
+        let all = Rect::from_min_max(pos2(500.0, 0.0), pos2(2500.0, 200.0));
+        let far = included(all);
+        assert!(far.zoom < 0.4 && (far.center.x - 1500.0).abs() < 1e-2);
     }
 
     #[test]

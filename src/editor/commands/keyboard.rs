@@ -3,13 +3,15 @@
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};
 
+use super::table::KeyScope;
+
 /// Owner of a frame's keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum KeyboardOwner {
     /// The window, and the area under the pointer.
     #[default]
     Window,
-    /// A text field; keys of [`KeyScope::Window`](super::table::KeyScope::Window) still work.
+    /// A text field; keys of [`KeyScope::Window`] still work.
     Field,
     /// A dialog, which owns all keys.
     Dialog,
@@ -57,6 +59,21 @@ fn owner(ctx: &egui::Context) -> KeyboardOwner {
 /// True if the keys belong to a text field or a dialog, now or when the frame began.
 pub(crate) fn is_keyboard_taken(ctx: &egui::Context) -> bool {
     owner(ctx) != KeyboardOwner::Window || ctx.egui_wants_keyboard_input()
+}
+
+fn pointed_id() -> egui::Id {
+    egui::Id::unique("place of keys under the pointer")
+}
+
+/// Remembers the place of keys that the pointer is over in this frame; `None` over others, such as
+/// the inspector.
+pub(crate) fn set_pointed(ctx: &egui::Context, place: Option<KeyScope>) {
+    ctx.data_mut(|data| data.insert_temp(pointed_id(), place));
+}
+
+/// Place of keys that the pointer is over in this frame.
+pub(super) fn pointed(ctx: &egui::Context) -> Option<KeyScope> {
+    ctx.data(|data| data.get_temp::<Option<KeyScope>>(pointed_id())).flatten()
 }
 
 /// Text field that has the keyboard now.

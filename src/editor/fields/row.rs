@@ -74,14 +74,24 @@ pub(crate) fn marked(
             help,
             if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() },
         );
-        if let Some(marked) = marked {
-            response.context_menu(|ui| scrolling(ui, |ui| marks::menu(ui, marked, out)));
-        }
         add(ui, response.id, out);
+        if let Some(marked) = marked {
+            menu_of_row(ui, &response, marked, out);
+        }
     });
     if let Some(marked) = marked {
         keyed::show(ui, marked, out);
     }
+}
+
+/// Opens the menu of a value by a right click anywhere on its row: the label, the number, the
+/// slider and the swatch take other clicks.
+fn menu_of_row(ui: &Ui, label: &egui::Response, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
+    let is_asked = ui.input(|input| input.pointer.secondary_clicked())
+        && ui.rect_contains_pointer(ui.min_rect());
+    let menu = egui::Popup::context_menu(label)
+        .open_memory(is_asked.then_some(egui::SetOpenCommand::Bool(true)));
+    menu.show(|ui| scrolling(ui, |ui| marks::menu(ui, marked, out)));
 }
 
 /// Shows a label with help, and a widget that is named by it; `slot` fills the room of the mark.

@@ -1,6 +1,6 @@
 //! Value of a wire at a pixel in few words, for the table of the probe and for the canvas.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use eframe::egui::Color32;
 
@@ -22,14 +22,26 @@ pub(crate) struct WireReading {
     pub(crate) is_finite: bool,
 }
 
-/// Readings of wires in the order of their computation: the last value of a node is its result.
+/// Readings of wires in the order of their computation: the last result of a node, or else its last
+/// value. The Output has values after the color that it gives, such as its id.
 pub(crate) fn readings(look: LookWithLibrary<'_>, wires: &[WireValue]) -> WireReadings {
     let reading = |wire: &WireValue| WireReading {
         text: text_of(look, wire, &wire.single),
         color: color_of(look, wire, &wire.single),
         is_finite: wire.is_finite(),
     };
-    wires.iter().map(|wire| (wire.node.clone(), reading(wire))).collect()
+    let mut readings = WireReadings::new();
+    let mut with_result: HashSet<&NodePath> = HashSet::new();
+    for wire in wires {
+        let is_result = matches!(part_of(look, wire), WirePart::Result(_) | WirePart::Output(_));
+        if is_result {
+            with_result.insert(&wire.node);
+        }
+        if is_result || !with_result.contains(&wire.node) {
+            readings.insert(wire.node.clone(), reading(wire));
+        }
+    }
+    readings
 }
 
 /// Numbers of a wire as people write what they mean.
@@ -96,7 +108,8 @@ mod tests {
 
     const LOOK: &str = r#"{"lights": {"key": {"name": "Sun"}}, "nodes": [
       {"id": "base", "kind": "base"}, {"id": "rim", "kind": "light_layer", "name": "Rim"},
-      {"id": "rim_2", "kind": "light_layer", "name": "Rim"}, {"id": "own", "kind": "missing"}]}"#;
+      {"id": "rim_2", "kind": "light_layer", "name": "Rim"}, {"id": "own", "kind": "missing"},
+      {"id": "output", "kind": "output"}]}"#;
 
     fn wire(path: &str, name: &str, numbers: &[f64]) -> WireValue {
         WireValue {
@@ -153,6 +166,10 @@ mod tests {
             wire("rim/tone", "rim_tone_shape", &[1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]),
             wire("rim/lit", "rim_lit", &[1.0, 0.5, 0.0, 1.0, 0.25]),
             wire("own", "own", &[f64::NAN]),
+            wire("output", "output", &[1.0, 0.5, 0.0, 1.0]),
+            wire("output", "output_cutoff", &[0.0]),
+            wire("output", "output_id", &[0.0]),
+            wire("output", "output_2", &[0.0]),
         ];
         let readings = with_look(|look| readings(look, &wires));
         let text = |path: &str| readings[&NodePath::parse(path)].text.as_str();
@@ -160,6 +177,7 @@ mod tests {
         assert_eq!(text("rim/tone"), "hard edge at 0°");
         assert_eq!(text("rim/lit"), "Color #ff8000 · Tone 0.25");
         assert_eq!(text("own"), "NaN");
+        assert_eq!(text("output"), "#ff8000", "the color, and not the cut-off or the id after it");
         let lit = &readings[&NodePath::parse("rim/lit")];
         assert_eq!(lit.color, Some(Color32::from_rgb(255, 128, 0)));
         assert!(lit.is_finite && !readings[&NodePath::parse("own")].is_finite);

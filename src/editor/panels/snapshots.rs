@@ -120,12 +120,12 @@ impl Snapshots {
         }
         let side = SIDE * ui.pixels_per_point();
         let look = &snapshot.look;
-        let key = || key_on(look, Shot::Whole, side, session);
+        let key = || key_on(look, Shot::Shown, side, session);
         let key = *self.keys.entry(snapshot.id).or_insert_with(key);
         if !thumbs.is_done(key) {
             let name = || DocumentOrigin::new(&snapshot.name, session.path(), look);
             let folder = session.look.folder();
-            thumbs.ask(key, name, (look.clone(), folder), session, Shot::Whole, side);
+            thumbs.ask(key, name, (look.clone(), folder), session, Shot::Shown, side);
         }
         ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
         if let Some(texture) = thumbs.known(key) {

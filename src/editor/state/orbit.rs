@@ -336,6 +336,13 @@ impl Orbit {
         self.illumination = (turn * self.illumination).normalize();
     }
 
+    /// True if the other side is shown, as after [`turn_around`](Self::turn_around): camera and
+    /// lights lie behind the mesh. A camera alone that goes round the mesh turns nothing around.
+    pub(crate) fn is_turned_around(&self) -> bool {
+        let front = self.upright.inverse() * self.illumination * DVec3::Z;
+        self.yaw.cos() < 0.0 && front.z < 0.0
+    }
+
     /// Turns the illumination frame as the camera was turned since an earlier view, so that the
     /// light comes from the same side of the picture.
     pub(crate) fn take_lights_along(&mut self, before: &Self) {
@@ -593,6 +600,19 @@ mod tests {
         let mut framed = orbit.clone();
         framed.frame(DVec3::new(5.0, 1.0, -3.0), 2.5, 1.6);
         assert!(!framed.crops(DVec3::new(5.0, 1.0, -3.0), 2.5, 1.6));
+    }
+
+    #[test]
+    fn what_is_turned_around_is_known_and_a_camera_behind_is_not() {
+        let mut orbit = Orbit::default();
+        assert!(!orbit.is_turned_around());
+        orbit.turn_around();
+        orbit.orbit(0.3, 0.2);
+        assert!(orbit.is_turned_around(), "also when it is looked at from a little elsewhere");
+        orbit.turn_around();
+        assert!(!orbit.is_turned_around());
+        let behind = Orbit { yaw: PI, ..Orbit::default() };
+        assert!(!behind.is_turned_around(), "the lights are where they were");
     }
 
     #[test]

@@ -38,8 +38,7 @@ pub(crate) struct PictureCost {
     /// Time from the handing over to the GPU to the end of its work, in milliseconds, once known.
     pub(crate) milliseconds: Option<f64>,
     pub(crate) passes: Vec<DrawnPass>,
-    /// Operations that are counted in a fragment for each node of the look's own graph, where they
-    /// were asked for.
+    /// Operations that are counted in a fragment for each node of the look's own graph.
     pub(crate) operations: BTreeMap<NodeId, u64>,
 }
 
@@ -55,14 +54,16 @@ impl PictureCost {
     }
 
     /// Counts the operations of nodes.
-    pub(crate) fn count(&mut self, effects: &[Effect]) {
+    pub(crate) fn counted(effects: &[Effect]) -> BTreeMap<NodeId, u64> {
+        let mut operations = BTreeMap::new();
         for effect in effects {
             let counts = effect.kind == EffectKind::Node && effect.state == EffectState::Runs;
             let path = effect.node.as_deref().filter(|_| counts).map(NodePath::parse);
             if let Some(id) = path.as_ref().and_then(NodePath::outermost) {
-                *self.operations.entry(id.clone()).or_default() += effect.cost.operations;
+                *operations.entry(id.clone()).or_default() += effect.cost.operations;
             }
         }
+        operations
     }
 
     /// The passes that are not the picture's own.
@@ -76,6 +77,15 @@ impl PictureCost {
         match self.milliseconds {
             Some(milliseconds) => format!("{} · {passes}", time_text(milliseconds)),
             None => passes,
+        }
+    }
+
+    /// A share in words: of the time, where that is known.
+    pub(crate) fn share_text(&self, share: f64) -> String {
+        let percent = share * 100.0;
+        match self.milliseconds.map(|time| time_text(time * share)) {
+            Some(time) => tr!("{percent:.0} %, some {time}"),
+            None => format!("{percent:.0} %"),
         }
     }
 

@@ -60,8 +60,11 @@ pub(crate) fn step_labelled(look: LookWithLibrary<'_>, label: &str) -> String {
     let word = |whole: &str| {
         // Names of a list end with commas.
         let word = whole.trim_end_matches(',');
-        let label = word.contains('.').then(|| label_of(look, word)).flatten();
-        label.map_or_else(|| whole.to_owned(), |label| label + &whole[word.len()..])
+        // Words of a sentence have neither of these marks, while ids of several words have one.
+        let label = word.contains(['.', '_']).then(|| label_of(look, word)).flatten();
+        // A node that is no more is told by its id.
+        let words = || (!word.contains('.')).then(|| word.replace('_', " "));
+        label.or_else(words).map_or_else(|| whole.to_owned(), |label| label + &whole[word.len()..])
     };
     label.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
@@ -104,7 +107,8 @@ mod tests {
     #[test]
     fn paths_in_texts_have_the_labels_of_the_canvas() {
         let look = r#"{"lights": {"key": {"name": "Sun"}}, "nodes": [{"id": "base", "kind": "base"},
-          {"id": "rim", "kind": "light_layer", "name": "Back-light"}]}"#;
+          {"id": "rim", "kind": "light_layer", "name": "Back-light"},
+          {"id": "cut_highlight", "kind": "light_layer", "name": "Cut highlight"}]}"#;
         let look = Look::read(look, "test").value.unwrap();
         let library = Library::built_in();
         let mut catalog = Catalog::new(library);
@@ -125,6 +129,8 @@ mod tests {
         let step = step_labelled(look, "change rim.cutoff, rim.below");
         assert_eq!(step, "change Back-light: Cut-off, Back-light: Below");
         assert_eq!(step_labelled(look, "key lights.moon.intensity"), "key lights.moon.intensity");
+        assert_eq!(step_labelled(look, "add cut_highlight"), "add Cut highlight");
+        assert_eq!(step_labelled(look, "remove old_rim, key"), "remove old rim, key");
     }
 
     #[test]

@@ -6,6 +6,7 @@
 
 pub(crate) mod mask;
 pub(crate) mod normals;
+pub(crate) mod owners;
 pub(crate) mod tree;
 
 use std::collections::{HashMap, HashSet};

@@ -343,7 +343,11 @@ impl Viewport {
             response.on_hover_cursor(CursorIcon::Crosshair);
             mark(tools, ui, rect);
         } else if handles.is_on && !has_brush(tools) {
+            // The other picture of a comparison has no handles.
+            let clip = ui.clip_rect();
+            ui.set_clip_rect(clip.intersect(tools.of::<Wipe>().left_side(rect)));
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
+            ui.set_clip_rect(clip);
             out.extend(keyboard_handles::show(ui, rect, session));
             out.extend(self.highlight.keyboard(ui, rect, session));
             let is_free = owner.is_none() && self.drag.is_none();

@@ -2,6 +2,7 @@
 //! that neither a slow GPU nor a shader being built holds up the pointer. The newest request wins;
 //! the last picture stays until it is drawn.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
@@ -14,7 +15,8 @@ use super::stopwatch::{Stopwatch, TimedWork};
 use crate::clock::Clock;
 use crate::compile::{CompiledShader, Live};
 use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
-use crate::frame::{Effect, effects};
+use crate::frame::{Effect, FramePlan, effects};
+use crate::ids::NodeId;
 use crate::library::Library;
 use crate::milestones;
 use crate::render::{Gpu, Renderer, set_times};
@@ -68,8 +70,6 @@ struct PictureRequest {
     room: [u32; 2],
     /// True if the picture's effects are to be reported.
     tells_effects: bool,
-    /// True if the operations of nodes are to be counted.
-    counts: bool,
     /// Name and file of the document, where it is drawn for the first time.
     first_of: Option<(String, Option<PathBuf>)>,
 }
@@ -83,7 +83,6 @@ struct PictureInputs {
     size: [u32; 2],
     folder: PathBuf,
     tells_effects: bool,
-    counts: bool,
 }
 
 /// Drawn picture; without a texture where it could not be drawn.
@@ -219,8 +218,6 @@ pub(crate) struct ViewportPicture {
     pub(crate) tells_effects: bool,
     /// Effects of the last picture of a look at rest, where they were requested.
     pub(crate) effects: Arc<Vec<Effect>>,
-    /// True if the operations of nodes are to be counted.
-    pub(crate) counts: bool,
     /// True while a frame from the cache is shown in its place: no picture is requested.
     pub(crate) is_covered: bool,
 }
@@ -236,7 +233,7 @@ impl ViewportPicture {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         let renderer = Renderer::new(gpu.clone());
         let planner = PicturePlanner::default();
-        let mut picture_renderer = PictureRenderer { renderer, planner, crashes };
+        let mut picture_renderer = PictureRenderer { renderer, planner, crashes, counted: None };
         let stopwatch = Stopwatch::new(state.device.clone(), wake.clone());
         let worker = Worker::waiting("picture", wake, async move |request| {
             picture_renderer.draw(&request).await
@@ -261,7 +258,6 @@ impl ViewportPicture {
             requested: RequestNumber::default(),
             problems: Vec::new(),
             tells_effects: false,
-            counts: false,
             effects: Arc::default(),
             is_covered: false,
         }
@@ -346,7 +342,6 @@ impl ViewportPicture {
             size,
             folder: session.look.folder(),
             tells_effects: self.tells_effects,
-            counts: self.counts,
         });
         if self.wanted != wanted
             && size.iter().all(|&side| side > 0)
@@ -359,7 +354,7 @@ impl ViewportPicture {
             let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
             let first_of = (!is_ready).then(|| session.shown_file());
-            let (subject, counts) = (PictureSubject::of(session), self.counts);
+            let subject = PictureSubject::of(session);
             let (room, tells_effects) = (self.size, self.tells_effects);
             self.worker.request(|_| PictureRequest {
                 subject,
@@ -368,7 +363,6 @@ impl ViewportPicture {
                 size,
                 room,
                 tells_effects,
-                counts,
                 first_of,
             });
             return true;
@@ -470,9 +464,35 @@ struct PictureRenderer {
     renderer: Renderer,
     planner: PicturePlanner,
     crashes: CrashLog,
+    /// Operations of the shader that was drawn last.
+    counted: Option<CountedShader>,
+}
+
+/// Operations of a shader's nodes; they are counted once, however often the shader is drawn.
+struct CountedShader {
+    shader: Arc<CompiledShader>,
+    /// Number of the picture's passes, which nodes may be a part of.
+    passes: usize,
+    operations: BTreeMap<NodeId, u64>,
 }
 
 impl PictureRenderer {
+    /// Counts the operations of a picture's nodes.
+    fn operations(
+        &mut self,
+        shader: &Arc<CompiledShader>,
+        plan: &FramePlan,
+    ) -> BTreeMap<NodeId, u64> {
+        let passes = plan.passes.len();
+        let is_it = |of: &CountedShader| Arc::ptr_eq(&of.shader, shader) && of.passes == passes;
+        let counted = self.counted.take().filter(is_it).unwrap_or_else(|| CountedShader {
+            shader: shader.clone(),
+            passes,
+            operations: PictureCost::counted(&effects(plan, self.renderer.done())),
+        });
+        self.counted.insert(counted).operations.clone()
+    }
+
     async fn draw(&mut self, request: &PictureRequest) -> DrawnPicture {
         let (subject, room) = (request.subject.clone(), request.room);
         let going = request.first_of.as_ref().map(|(name, path)| {
@@ -533,12 +553,12 @@ impl PictureRenderer {
         warnings.extend(shown_by.err().map(|error| not_shown(error.into())));
         let done = self.renderer.done();
         let mut cost = PictureCost::of(&plan, |id, hash| done.get(&id) == Some(&hash));
-        let counted = request.counts.then(|| effects(&plan, done));
-        cost.count(counted.as_deref().unwrap_or_default());
         let mut effects = is_told.then(|| effects(&plan, done));
         let clock = Clock::start();
         self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
         let work = TimedWork::since(clock, self.renderer.gpu());
+        // The GPU is at work already.
+        cost.operations = self.operations(&showing.shader, &plan);
         if milestones::is_enabled() {
             self.renderer
                 .gpu()

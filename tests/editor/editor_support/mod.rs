@@ -192,6 +192,18 @@ impl User {
         self.click_with(Modifiers::NONE, at);
     }
 
+    /// Opens the menu of what lies at a place.
+    pub(crate) fn right_click(&mut self, at: Pos2) {
+        self.hover(at);
+        self.harness.run_steps(4);
+        for pressed in [true, false] {
+            let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
+            self.event(Event::PointerButton { pos: at, button, pressed, modifiers });
+            self.harness.step();
+        }
+        self.harness.run_steps(3);
+    }
+
     pub(crate) fn double_click(&mut self, at: Pos2) {
         self.hover(at);
         self.harness.run_steps(4);

@@ -34,6 +34,11 @@ pub(crate) enum KeyScope {
 }
 
 impl KeyScope {
+    /// True if keys of this place work while the pointer is over `pointed`.
+    fn works_over(self, pointed: Self) -> bool {
+        self == pointed || (self, pointed) == (Self::Picture, Self::Light)
+    }
+
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Window => tr!("Everywhere"),
@@ -128,6 +133,20 @@ impl CommandRow {
         Self { needs_painting: true, ..self }
     }
 
+    /// True if a key does something else at the place that the pointer is over.
+    fn is_taken_elsewhere(&self, ctx: &egui::Context, key: (Modifiers, Key)) -> bool {
+        let Some(pointed) = keyboard::pointed(ctx) else { return false };
+        !self.place.works_over(pointed)
+            && rows().any(|other| other.place.works_over(pointed) && other.keys.contains(&key))
+    }
+
+    /// Takes the row's keys where one of them is pressed. A key that has another meaning at the
+    /// place under the pointer is left to that.
+    pub(crate) fn take(&self, ui: &egui::Ui) -> bool {
+        let mut keys = self.keys.iter();
+        keys.any(|&key| !self.is_taken_elsewhere(ui.ctx(), key) && keyboard::take(ui, key))
+    }
+
     /// First key of the row, as people read it.
     pub(crate) fn text(&self) -> String {
         self.keys.first().map_or_else(String::new, |&(modifiers, key)| key_text(modifiers, key))
@@ -184,9 +203,7 @@ pub(crate) fn pressed(ui: &egui::Ui, place: KeyScope) -> Vec<Command> {
     }) {
         return Vec::new();
     }
-    rows.filter(|row| row.keys.iter().any(|&key| keyboard::take(ui, key)))
-        .map(|row| row.command.clone())
-        .collect()
+    rows.filter(|row| row.take(ui)).map(|row| row.command.clone()).collect()
 }
 
 /// Actions of the pointer on the graph, for the sheet of shortcuts.

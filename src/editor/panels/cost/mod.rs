@@ -26,6 +26,8 @@ use crate::render::{Gpu, Renderer};
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 use crate::state::snapshot::RenderSnapshot;
+use crate::state::stack::owners::LayerOwners;
+use crate::state::stack::tree::LayerTree;
 use crate::state::worker::{BackgroundJobs, Worker};
 use causes::{CauseRequest, PassCause, causes};
 pub(super) use panel::PANEL;
@@ -110,6 +112,8 @@ pub struct Cost {
     cause_search: Progress,
     causes: Vec<PassCause>,
     causes_of: Option<CausesOf>,
+    /// Layers that nodes work for, in the revision that `is_current` was found for.
+    owners: LayerOwners,
 }
 
 /// Revision of the look that causes are of.
@@ -130,6 +134,7 @@ impl Cost {
             cause_search: Progress::new(),
             causes: Vec::new(),
             causes_of: None,
+            owners: LayerOwners::default(),
             asked: None,
             worker: gpu.map(start),
             progress: Progress::new(),
@@ -215,6 +220,8 @@ impl Cost {
         if self.is_current.0 != revision {
             let now =
                 CostSubject::of(session.look(), &session.view.orbit.mesh, session.scene_revision());
+            let tree = LayerTree::of(session.look(), &session.project.catalog);
+            self.owners = LayerOwners::of(session.look(), &tree);
             self.is_current = (revision, self.done.as_ref().is_some_and(|done| done.of == now));
         }
     }

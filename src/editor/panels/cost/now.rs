@@ -10,14 +10,14 @@ use super::Cost;
 use super::causes::{CauseRequest, CauseValue, PassCause};
 use crate::catalog::values;
 use crate::commands::Command;
-use crate::ids::NodeId;
 use crate::progress::Progress;
-use crate::state::picture_cost::{PictureCost, time_text};
+use crate::state::picture_cost::PictureCost;
 use crate::state::session::Session;
+use crate::state::stack::owners::{LayerOwner, LayerOwners, LayerShare};
 use crate::widgets::theme;
 
-/// Most nodes whose shares are listed.
-const MOST_NODES: usize = 8;
+/// Most layers whose shares are listed, and most nodes that are named for one.
+const MOST_LAYERS: usize = 8;
 /// Least width of the bar of a share, in points.
 const SHARE: f32 = 112.0;
 /// Least share that is listed.
@@ -61,15 +61,20 @@ impl Cost {
     }
 }
 
-/// Shows the passes of the picture with their reasons, and the shares of its nodes.
-pub(super) fn show(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut Vec<Command>) {
+/// Shows the passes of the picture with their reasons, and the shares of its layers.
+pub(super) fn show(
+    ui: &mut Ui,
+    session: &Session,
+    (cost, owners): (&PictureCost, &LayerOwners),
+    out: &mut Vec<Command>,
+) {
     ui.spacing_mut().item_spacing.y = 3.0;
     let dim = theme::of(ui).dim;
     for pass in cost.passes_before() {
         let text = format!("{}: {}", pass.label(), pass.words());
         ui.add(Label::new(RichText::new(text).small().color(dim)).wrap());
     }
-    shares(ui, session, cost, out);
+    shares(ui, session, (cost, owners), out);
 }
 
 /// Shows values that passes are needed for, with the button that takes them away.
@@ -124,36 +129,45 @@ fn name(session: &Session, value: &CauseValue) -> String {
     tr!("{label} {value} of {owner}", value = now.unwrap_or_default())
 }
 
-/// Shows the share of each node, as an estimate.
-fn shares(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut Vec<Command>) {
-    let mut nodes: Vec<(&NodeId, f64)> =
-        cost.operations.keys().map(|id| (id, cost.share(id))).collect();
-    nodes.retain(|(_, share)| *share >= LEAST_SHARE);
-    nodes.sort_by(|a, b| b.1.total_cmp(&a.1));
-    if nodes.is_empty() {
+/// Shows the share of each layer, as an estimate.
+fn shares(
+    ui: &mut Ui,
+    session: &Session,
+    (cost, owners): (&PictureCost, &LayerOwners),
+    out: &mut Vec<Command>,
+) {
+    let shares = owners.shares(cost).into_iter().filter(|share| share.share >= LEAST_SHARE);
+    let shares: Vec<LayerShare> = shares.take(MOST_LAYERS).collect();
+    if shares.is_empty() {
         return;
     }
     let text = RichText::new(tr!("By layer, estimated")).small().color(theme::of(ui).dim);
     ui.label(text).on_hover_text(tr!(
-        "The operations that are counted in each node's code, as a share of the picture's time: \
-         textures and passes are not in it. Measure draws the look with each node and without."
+        "The operations that are counted in the code of a layer and of the nodes that feed it \
+         alone, as a share of the picture's time: textures and passes are not in it. Measure \
+         draws the look with each node and without."
     ));
-    for (id, share) in nodes.into_iter().take(MOST_NODES) {
-        let title = session.look_with_library().title(id);
-        let percent = share * 100.0;
-        let text = match cost.milliseconds.map(|time| time_text(time * share)) {
-            Some(time) => tr!("{percent:.0} %, some {time}"),
-            None => format!("{percent:.0} %"),
+    let look = session.look_with_library();
+    for share in shares {
+        let (title, shown) = match &share.owner {
+            LayerOwner::One(id) => (look.title(id), Some(id)),
+            LayerOwner::Several => {
+                (tr!("Shared by several layers").to_owned(), share.nodes.first())
+            }
         };
+        let text = cost.share_text(share.share);
         ui.horizontal(|ui| {
             // The bar has room for its words, and the name is shortened.
             let width = (ui.available_width() * 0.4).clamp(SHARE, 160.0);
             ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-            let bar = ProgressBar::new(share as f32).desired_width(width);
+            let bar = ProgressBar::new(share.share as f32).desired_width(width);
             ui.add(bar.text(RichText::new(text).small()));
-            let help = format!("{title}\n{}", tr!("Selects it and brings it into view"));
+            let own: Vec<String> =
+                share.nodes.iter().take(MOST_LAYERS).map(|id| look.title(id)).collect();
+            let nodes = own.join(", ");
+            let help = format!("{title}\n{nodes}\n{}", tr!("Selects it and brings it into view"));
             let link = ui.link(title).on_hover_text(help);
-            if link.clicked() {
+            if let Some(id) = shown.filter(|_| link.clicked()) {
                 out.push(Command::Reveal(id.clone()));
             }
         });

@@ -7,7 +7,7 @@ use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use super::{Cost, adopt, now, plot};
 use crate::accuracy::{BenchReport, MeasuredTier, MeasurementRow, MeasurementSubject};
 use crate::commands::{Command, PanelId};
-use crate::panels::table::{PanelPlace, PanelRow, Presence};
+use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::picture_cost::PictureCost;
 use crate::state::problem_text::sentence;
 use crate::state::reading::tier_word;
@@ -32,12 +32,6 @@ pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
         bench.cost.show(ui, context.session, size, cost)
     },
 )
-.with_each_frame(|bench, _, _, presence| {
-    if let Some(picture) = &mut bench.picture {
-        picture.counts = presence == Presence::Seen;
-    }
-    Vec::new()
-})
 .with_jobs(|bench| &bench.cost);
 
 const ROW: f32 = 20.0;
@@ -66,7 +60,7 @@ impl Cost {
         let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             let row = self.measured(ui, session, &mut picked);
             if let Some(cost) = cost {
-                now::show(ui, session, cost, &mut out);
+                now::show(ui, session, (cost, &self.owners), &mut out);
             }
             row
         });

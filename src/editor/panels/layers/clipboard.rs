@@ -7,6 +7,7 @@ use std::sync::Arc;
 use chiaro_locale::tr;
 use eframe::egui::{Event, Ui};
 
+use super::row::title_of;
 use crate::commands::{Command, LibraryCommand, PartSpot};
 use crate::ids::NodeId;
 use crate::state::parts::saving::{PartChoice, PartSource};
@@ -31,16 +32,33 @@ pub(super) fn handle(
     for event in events {
         match event {
             Event::Paste(text) => out.push(paste(session, &text)),
-            event => match copied(session, acting) {
-                Ok(text) => {
-                    out.push(Command::Copy(text));
-                    is_cut |= event == Event::Cut;
-                }
-                Err(why_not) => out.push(Command::Tell(why_not)),
-            },
+            event => is_cut |= copy(session, acting, out) && event == Event::Cut,
         }
     }
     is_cut
+}
+
+/// Copies layers, and tells so or why not. Returns true if they were copied.
+pub(super) fn copy(session: &Session, layers: &[NodeId], out: &mut Vec<Command>) -> bool {
+    match copied(session, layers) {
+        Ok(text) => {
+            out.extend([Command::Copy(text), Command::Tell(told(session, layers))]);
+            true
+        }
+        Err(why_not) => {
+            out.push(Command::Tell(why_not));
+            false
+        }
+    }
+}
+
+/// Sentence on layers that were copied.
+pub(super) fn told(session: &Session, layers: &[NodeId]) -> String {
+    let names: Vec<String> = layers.iter().map(|id| title_of(session, id)).collect();
+    tr!(
+        "Copied: {layers} · Ctrl+V lays it over the selected layer, in this look or another",
+        layers = names.join(", ")
+    )
 }
 
 /// Text of layers, with all that feeds them.

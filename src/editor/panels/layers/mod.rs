@@ -3,6 +3,7 @@
 
 mod band_bar;
 mod clipboard;
+mod cost;
 mod drop;
 mod masks;
 mod picture;
@@ -26,18 +27,22 @@ use crate::fields::shot::ChangedRow;
 use crate::ids::{NodeId, NodePath, make_slug};
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::parts::saving::PartChoice;
+use crate::state::picture_cost::PictureCost;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
+use crate::state::stack::owners::LayerOwners;
 use crate::state::stack::tree::{LayerPlace, LayerTree, TreeRow};
 use crate::state::stack::{BELOW, normals};
 use crate::state::worker::BackgroundJobs;
 use crate::values;
+use crate::viewport::picture::ViewportPicture;
 use crate::viewport::solo_bar;
 use crate::widgets::menu::scrolling;
 use crate::widgets::rows::{NameEdit, leave_with_pointer, undo_keys};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
+use cost::LayerCosts;
 use drop::DropTarget;
 use presets::PRESETS;
 pub(crate) use presets::{LayerPreset, preset_parts};
@@ -48,7 +53,11 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     text!("Layers"),
     text!("The look as a stack of layers: another view of the same graph"),
     PanelPlace::WITH_DOCUMENT,
-    |bench, ui, context| bench.memory.of::<Layers>().show(ui, context.session, &bench.thumbs),
+    |bench, ui, context| {
+        let cost = bench.picture.as_ref().map(ViewportPicture::cost);
+        let layers = bench.memory.of::<Layers>();
+        layers.show(ui, context.session, (&bench.thumbs, cost))
+    },
 )
 .with_jobs(|bench| &bench.thumbs);
 
@@ -61,6 +70,7 @@ pub(crate) struct Layers {
     /// Document and revision that the layers were found in.
     of: Option<(DocumentNumber, LookRevision)>,
     tree: LayerTree,
+    owners: LayerOwners,
     /// Layers that are listed.
     rows: Vec<TreeRow>,
     /// Folders whose layers are not listed.
@@ -70,6 +80,8 @@ pub(crate) struct Layers {
     renaming: Option<NameEdit<NodeId>>,
     /// Layers that are being dragged.
     dragged: Vec<NodeId>,
+    /// True from *Paste above* until the clipboard's text is there: the row keeps the keyboard.
+    is_pasting: bool,
     /// Node that was selected when the panel was shown last.
     shown_for: Option<NodeId>,
     pictures: HashMap<NodeId, LayerPicture>,
@@ -85,8 +97,14 @@ struct LayerPicture {
 
 impl Layers {
     /// Shows the stack.
-    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        (thumbs, cost): (&Thumbs, Option<&PictureCost>),
+    ) -> Vec<Command> {
         self.sync(session);
+        let costs = cost.map(|cost| LayerCosts::new(cost, &self.owners));
         let mut out = Vec::new();
         self.bar(ui, session, &mut out);
         if !session.view.solo.layers.is_empty() {
@@ -122,7 +140,8 @@ impl Layers {
                 match self.rows.get(index).cloned() {
                     Some(row) => {
                         let rect = rect_of(index, row.depth, ui);
-                        rows.push((index, self.layer(ui, rect, session, thumbs, &row, &mut out)));
+                        let shown = (thumbs, costs.as_ref());
+                        rows.push((index, self.layer(ui, rect, session, shown, &row, &mut out)));
                     }
                     None => self.ground(ui, rect_of(index, 0, ui), session, thumbs, &mut out),
                 }
@@ -168,6 +187,7 @@ impl Layers {
             }
             self.of = Some(of);
             self.tree = LayerTree::of(session.look(), &session.project.catalog);
+            self.owners = LayerOwners::of(session.look(), &self.tree);
             self.dragged.retain(|id| self.tree.contains(id));
             self.closed.retain(|id| self.tree.is_folder(id));
             self.list();
@@ -239,7 +259,7 @@ impl Layers {
         ui: &mut Ui,
         rect: Rect,
         session: &Session,
-        thumbs: &Thumbs,
+        (thumbs, costs): (&Thumbs, Option<&LayerCosts<'_>>),
         row: &TreeRow,
         out: &mut Vec<Command>,
     ) -> Response {
@@ -257,7 +277,8 @@ impl Layers {
         let is_closed = self.closed.contains(id);
         let folder = row.is_folder.then_some(FolderRow { is_closed });
         let (rows, tree) = (&self.rows[..], &self.tree);
-        let shown_row = Row { session, id, node, kind, tree, rows, acting: &acting, folder };
+        let cost = costs.map(|costs| costs.of(tree, id, is_closed));
+        let shown_row = Row { session, id, node, kind, tree, rows, acting: &acting, folder, cost };
         let mode = shown_row.mode().unwrap_or_else(|| match row.is_folder {
             true => "alpha".to_owned(),
             false => String::new(),
@@ -312,6 +333,7 @@ impl Layers {
         ) {
             self.duplicate(session, id, out);
         }
+        self.copy_entries(ui, session, id, out);
         let can = |is_up| self.tree.beside(&acting, is_up, |id| self.closed.contains(id)).is_some();
         if entry(
             ui,
@@ -368,6 +390,30 @@ impl Layers {
         }
     }
 
+    /// Shows the entries of a layer's menu that copy it, and lay a copied one over it.
+    fn copy_entries(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        id: &NodeId,
+        out: &mut Vec<Command>,
+    ) {
+        let acting = self.acting(session, id);
+        let label = if acting.len() == 1 { tr!("Copy layer") } else { tr!("Copy layers") };
+        let help = tr!("With all that feeds it, for this look or another (Ctrl+C)");
+        if ui.button(label).on_hover_text(help).clicked() {
+            clipboard::copy(session, &acting, out);
+        }
+        let help = tr!("Lays what was copied over it (Ctrl+V)");
+        if ui.button(tr!("Paste above")).on_hover_text(help).clicked() {
+            select(session, vec![id.clone()], out);
+            // The text comes as a key would, to the row that has the keyboard.
+            ui.memory_mut(|memory| memory.request_focus(row::focus_id(id)));
+            ui.send_viewport_cmd(egui::ViewportCommand::RequestPaste);
+            self.is_pasting = true;
+        }
+    }
+
     fn rename(&mut self, session: &Session, id: &NodeId) {
         let name = session.look().graph.nodes.get(id).map_or("", |node| &node.name);
         self.renaming = Some(NameEdit::new(id.clone(), name));
@@ -404,7 +450,11 @@ impl Layers {
         session: &Session,
         out: &mut Vec<Command>,
     ) {
-        leave_with_pointer(ui, response);
+        // The menu of *Paste above* may lie beside the panel, and the pointer with it.
+        self.is_pasting &= !ui.input(|input| input.pointer.any_pressed());
+        if !self.is_pasting {
+            leave_with_pointer(ui, response);
+        }
         if !response.has_focus() {
             return;
         }
@@ -462,6 +512,7 @@ impl Layers {
         if is_cut || is_deleted {
             out.push(Command::Edit(self.tree.remove(session.look(), &acting)));
         }
+        out.extend(is_cut.then(|| Command::Tell(clipboard::told(session, &acting))));
         undo_keys(ui, out);
     }
 
@@ -549,7 +600,8 @@ impl Layers {
         };
         let texture = texture(&mut self.pictures, ui, session, thumbs, &ground.node, None);
         let (tree, rows, id) = (&self.tree, &self.rows[..], &ground.node);
-        let row = Row { session, id, node, kind, tree, rows, acting: &[], folder: None };
+        let row =
+            Row { session, id, node, kind, tree, rows, acting: &[], folder: None, cost: None };
         row.show_ground(ui, rect, texture, out);
     }
 }

@@ -7,6 +7,7 @@ use eframe::egui::{
 };
 
 use super::super::thumbs::ThumbObject;
+use super::cost::LayerCost;
 use super::{MODES, band_bar};
 use crate::catalog::{NodeKind, Port};
 use crate::commands::Command;
@@ -58,6 +59,8 @@ pub(super) struct Row<'a> {
     pub(super) acting: &'a [NodeId],
     /// Further parts of a folder's row; `None` for other layers.
     pub(super) folder: Option<FolderRow>,
+    /// Cost of the layer in the picture that was just drawn.
+    pub(super) cost: Option<LayerCost<'a>>,
 }
 
 /// Row of a folder.
@@ -171,6 +174,7 @@ impl Row<'_> {
         let half = middle.height() / 2.0;
         let upper = Rect::from_min_size(middle.min, vec2(middle.width() - right - 4.0, half));
         let upper = band_bar::show(ui, upper, self, out);
+        let upper = self.cost.map_or(upper, |cost| cost.show(ui, upper, &title));
         let lower = Rect::from_min_max(pos2(middle.left(), middle.top() + half), middle.max);
         let buttons = Rect::from_min_max(
             pos2(middle.right() - right, middle.top()),

@@ -50,6 +50,8 @@ const MOST_LIFT: f32 = 8.0;
 pub(crate) enum Shot {
     /// Whole object.
     Whole,
+    /// Whole mesh of the picture, from the side that the picture shows.
+    Shown,
     /// Middle of the object, from near.
     Near,
     /// Middle of the object from near, brightened until all that the layer adds is visible, as a
@@ -61,7 +63,7 @@ impl Shot {
     /// Distance from the eye to its target, and the height of the target, in scene units.
     fn distance_and_height(self) -> (f64, f64) {
         match self {
-            Self::Whole => (3.45, -0.04),
+            Self::Whole | Self::Shown => (3.45, -0.04),
             Self::Near | Self::Lifted => (2.0, 0.36),
         }
     }
@@ -265,23 +267,7 @@ impl Thumbs {
         side: f32,
     ) {
         self.request(key, origin, side, || {
-            let (distance, height) = shot.distance_and_height();
-            let orbit = match ThumbObject::of(session) {
-                // The creature has a framing of its own, on its face; other meshes are seen from
-                // farther away.
-                ThumbObject::Mesh
-                    if shot != Shot::Whole && session.view.orbit.mesh != DEFAULT_MESH =>
-                {
-                    Orbit {
-                        mesh: session.view.orbit.mesh.clone(),
-                        z_is_up: session.view.orbit.z_is_up,
-                        distance: NEAR_ANY,
-                        target: DVec3::ZERO,
-                        ..Orbit::default()
-                    }
-                }
-                _ => Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() },
-            };
+            let orbit = orbit_of(shot, session);
             ThumbSubject::Look(
                 Box::new(RenderSnapshot {
                     folder,
@@ -372,6 +358,28 @@ impl BackgroundJobs for Thumbs {
     }
 }
 
+/// View of a thumbnail, on the mesh of the picture where it may be.
+fn orbit_of(shot: Shot, session: &Session) -> Orbit {
+    let (distance, height) = shot.distance_and_height();
+    let shown = &session.view.orbit;
+    let is_on_mesh = shot != Shot::Whole && ThumbObject::of(session) == ThumbObject::Mesh;
+    // The creature has a framing of its own, on its face; other meshes are seen from farther away.
+    let mut orbit = match is_on_mesh && shown.mesh != DEFAULT_MESH {
+        true => Orbit {
+            mesh: shown.mesh.clone(),
+            z_is_up: shown.z_is_up,
+            distance: NEAR_ANY,
+            target: DVec3::ZERO,
+            ..Orbit::default()
+        },
+        false => Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() },
+    };
+    if is_on_mesh && shown.is_turned_around() {
+        orbit.turn_around();
+    }
+    orbit
+}
+
 /// Key of a look's thumbnail: a hash of everything that the picture depends on, without names and
 /// places on the canvas.
 pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
@@ -405,12 +413,13 @@ pub(crate) fn key_on(look: &Look, shot: Shot, side: f32, session: &Session) -> u
     hasher.finish()
 }
 
-/// Hash of the mesh in the picture.
+/// Hash of the mesh in the picture, and of the side that it shows.
 pub(crate) fn surroundings_key(session: &Session) -> u64 {
     let mut hasher = DefaultHasher::new();
     (
         &session.view.orbit.mesh,
         session.view.orbit.z_is_up,
+        session.view.orbit.is_turned_around(),
         session.open_scene().is_some(),
         session.revisions().files,
     )
@@ -505,6 +514,26 @@ fn smaller(picture: &Picture, lifts: bool) -> ColorImage {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::library::Library;
+
+    #[test]
+    fn layers_and_snapshots_are_seen_as_the_mesh_of_the_picture_is() {
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.view.orbit.mesh = "shape:torus".to_owned();
+        let front = surroundings_key(&session);
+        for shot in [Shot::Near, Shot::Lifted, Shot::Shown] {
+            let orbit = orbit_of(shot, &session);
+            assert_eq!((orbit.mesh.as_str(), orbit.is_turned_around()), ("shape:torus", false));
+        }
+        session.view.orbit.turn_around();
+        assert_ne!(surroundings_key(&session), front, "they are drawn anew");
+        for shot in [Shot::Near, Shot::Lifted, Shot::Shown] {
+            assert!(orbit_of(shot, &session).is_turned_around(), "{shot:?}");
+        }
+        // A look of the library has nothing to do with the picture.
+        assert_eq!(orbit_of(Shot::Whole, &session).mesh, DEFAULT_MESH);
+        assert!(!orbit_of(Shot::Whole, &session).is_turned_around());
+    }
 
     #[test]
     fn a_smaller_picture_is_the_mean_and_its_brightest_pixel_is_bright() {

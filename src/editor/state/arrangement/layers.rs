@@ -31,7 +31,7 @@ impl NodeBox {
     }
 
     /// Coordinate of the right edge, axis 0, or of the lower one, axis 1.
-    pub(super) fn max(&self, axis: usize) -> f32 {
+    pub(crate) fn max(&self, axis: usize) -> f32 {
         self.min[axis] + self.size[axis]
     }
 
@@ -40,7 +40,7 @@ impl NodeBox {
     }
 
     /// True if the boxes overlap, wholly or in part.
-    pub(super) fn overlaps(&self, other: &Self) -> bool {
+    pub(crate) fn overlaps(&self, other: &Self) -> bool {
         (0..2).all(|axis| self.min[axis] < other.max(axis) && other.min[axis] < self.max(axis))
     }
 }

@@ -114,7 +114,8 @@ fn kinds(graph: &Graph, catalog: &Catalog) -> Vec<Option<Arc<NodeKind>>> {
     graph.nodes.iter().map(kind).collect()
 }
 
-fn box_of(node: &Node, kind: Option<&NodeKind>) -> NodeBox {
+/// Box of a node of a kind, where its graph has it.
+pub(crate) fn box_of(node: &Node, kind: Option<&NodeKind>) -> NodeBox {
     let rows = kind.map_or(0, |kind| kind.inputs.len() + kind.outputs.len());
     let height = if node.collapsed { TITLE_HEIGHT } else { node_height(rows) };
     // A position may be any finite number.

@@ -11,7 +11,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire, grouping};
 use crate::ids::{DefinitionId, LightId, NodeId, PortName, make_slug};
 use crate::library::{Library, Type};
-use crate::state::arrangement::place_nodes;
+use crate::state::arrangement::{NodeBox, box_of, place_nodes};
 use crate::state::problem_text::sentence;
 use crate::state::reading::of_library;
 use crate::state::stack::BELOW;
@@ -19,6 +19,9 @@ use crate::state::stack::tree::{LayerJoint, LayerTree};
 
 /// Distance from one layer to the next on the canvas, in points.
 const STEP: f64 = 260.0;
+
+/// Gap below a node that a helper would have covered, in points.
+const CLEAR: f32 = 26.0;
 
 /// Placed part.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,7 +121,15 @@ fn between(
         ));
     };
     let mut edits = vec![pasted.edit];
-    edits.extend(room(to.look, &trial, (&pasted.nodes, &outlet.node), from.as_ref(), &into));
+    let mut positions = room(to.look, &trial, (&pasted.nodes, &outlet.node), from.as_ref(), &into);
+    let is_helper = |id: &&NodeId| {
+        let kind = trial.graph.nodes.get(*id).and_then(|node| catalog.of(node));
+        ![&inlet.node, &outlet.node].contains(id)
+            && kind.is_none_or(|kind| kind.output(BELOW).is_none())
+    };
+    let helpers: Vec<&NodeId> = pasted.nodes.iter().filter(is_helper).collect();
+    uncover(&trial, &catalog, &helpers, &mut positions);
+    edits.push(Edit::MoveNodes { graph: GraphId::Look, positions });
     // What is one layer is called as the part is.
     let is_layer = ends.is_some_and(|[bottom, top]| bottom == top);
     edits.extend(rename(to.look, &trial, &outlet.node, is_layer.then_some(name)));
@@ -347,10 +358,10 @@ fn room(
     (placed, last): (&[NodeId], &NodeId),
     from: Option<&Endpoint>,
     into: &Endpoint,
-) -> Vec<Edit> {
+) -> IndexMap<NodeId, [f64; 2]> {
     let place = |id: &NodeId| trial.graph.nodes.get(id).map(|node| node.position);
     let (Some(target), Some(last)) = (place(&into.node), place(last)) else {
-        return Vec::new();
+        return IndexMap::new();
     };
     let xs = || placed.iter().filter_map(place).map(|[x, _]| x);
     let (least, most) = (xs().fold(f64::MAX, f64::min), xs().fold(f64::MIN, f64::max));
@@ -369,7 +380,38 @@ fn room(
             positions.insert(id.clone(), [node.position[0] + lack, node.position[1]]);
         }
     }
-    vec![Edit::MoveNodes { graph: GraphId::Look, positions }]
+    positions
+}
+
+/// Moves the nodes `helpers`, which work for placed layers, down from the nodes that they would
+/// cover; `positions` are the places of those that move in any case.
+fn uncover(
+    look: &Look,
+    catalog: &Catalog,
+    helpers: &[&NodeId],
+    positions: &mut IndexMap<NodeId, [f64; 2]>,
+) {
+    let placed = |id: &NodeId| {
+        let mut node = look.graph.nodes.get(id)?.clone();
+        node.position = positions.get(id).copied().unwrap_or(node.position);
+        Some(box_of(&node, catalog.of(&node).map(|kind| &**kind)))
+    };
+    let others = look.graph.nodes.keys().filter(|id| !helpers.contains(id));
+    let mut taken: Vec<NodeBox> = others.filter_map(placed).collect();
+    let mut moved = Vec::new();
+    for &id in helpers {
+        let Some(mut own) = placed(id) else { continue };
+        let before = own;
+        // Each step goes below one of the boxes, which is then out of the way for good.
+        while let Some(other) = taken.iter().find(|other| other.overlaps(&own)) {
+            own.min[1] = other.max(1) + CLEAR;
+        }
+        if own != before {
+            moved.push((id.clone(), own.min.map(f64::from)));
+        }
+        taken.push(own);
+    }
+    positions.extend(moved);
 }
 
 /// Name for a placed node: the part's or its own, with a number where a node of the look has it.

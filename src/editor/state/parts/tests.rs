@@ -140,6 +140,38 @@ fn a_layer_goes_from_one_look_to_another_through_the_library() {
     assert!(placing::layer(to(&bare, &catalog), ("Rim", look_of(part)), None).is_err());
 }
 
+/// A layer that was fitted to painted light has a node beside it, which would lie half over it.
+#[test]
+fn what_helps_a_layer_does_not_cover_it() {
+    let (mut look, catalog) = read(
+        r#"{"nodes": [{"id": "base", "kind": "base", "at": [0, 0]},
+          {"id": "output", "kind": "output", "at": [260, 0]}],
+        "wires": [{"from": "base", "to": "output.color"}]}"#,
+    );
+    let part = Look::read(
+        r#"{"nodes": [
+          {"id": "ear", "kind": "light_layer", "at": [520, 0]},
+          {"id": "place", "kind": "nearby", "at": [390, 260]}],
+        "wires": [{"from": "place.weight", "to": "ear.opacity"}]}"#,
+        "test",
+    );
+    let placed = placing::layer(to(&look, &catalog), ("Ear", &part.value.unwrap()), None).unwrap();
+    look.apply(placed.edit).unwrap();
+    let catalog = synced(&look);
+    let boxes: Vec<_> = look
+        .graph
+        .nodes
+        .values()
+        .map(|node| crate::state::arrangement::box_of(node, catalog.of(node).map(|kind| &**kind)))
+        .collect();
+    for (index, one) in boxes.iter().enumerate() {
+        for other in &boxes[index + 1..] {
+            assert!(!one.overlaps(other), "{one:?} and {other:?}");
+        }
+    }
+    assert_eq!(look.graph.nodes["ear"].position[1], 0.0, "the layer is on the stack's level");
+}
+
 /// Layers in a pass-through folder lie on what is below the folder, and so on a new layer there.
 #[test]
 fn a_layer_is_laid_under_a_folder_and_into_one() {

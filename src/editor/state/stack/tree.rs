@@ -108,6 +108,14 @@ impl LayerTree {
         self.stacks.get(&None).unwrap_or(&NO_STACK)
     }
 
+    /// All layers, what they lie on, and the Output.
+    pub(crate) fn members(&self) -> impl Iterator<Item = &NodeId> {
+        self.stacks.values().flat_map(|stack| {
+            let layers = stack.layers.iter().map(|layer| &layer.id);
+            layers.chain(&stack.output).chain(stack.ground.as_ref().map(|ground| &ground.node))
+        })
+    }
+
     /// True if there is an Output that a stack can feed.
     pub(crate) fn has_output(&self) -> bool {
         self.own().has_output()
@@ -230,7 +238,7 @@ impl LayerTree {
     }
 
     /// The layers in a folder at any depth, with the folder.
-    fn with_inner(&self, id: &NodeId) -> Vec<NodeId> {
+    pub(crate) fn with_inner(&self, id: &NodeId) -> Vec<NodeId> {
         let mut found = vec![id.clone()];
         let mut next = 0;
         while next < found.len() {

@@ -15,7 +15,7 @@ mod show;
 use std::sync::Arc;
 
 use eframe::egui;
-use eframe::egui::{TextureHandle, Ui};
+use eframe::egui::{Rect, TextureHandle, Ui};
 
 use crate::accuracy::ErrorFigures;
 use crate::diag::Diagnostic;
@@ -207,6 +207,14 @@ impl Wipe {
     /// True while two pictures stand side by side, neither where the picture is otherwise.
     pub(crate) fn is_beside(&self) -> bool {
         self.against.is_some() && self.mode == ComparisonMode::Beside
+    }
+
+    /// Part of the picture's place where the left picture is: left of the divider while there is
+    /// one, else all of it.
+    pub(crate) fn left_side(&self, rect: Rect) -> Rect {
+        let has_divider = self.against.is_some() && self.mode == ComparisonMode::Wipe;
+        let is_divided = has_divider && self.shown.is_some();
+        if is_divided { divider::halves(rect, self.split)[0] } else { rect }
     }
 
     /// Compares the look as it is with another picture, or nothing.
