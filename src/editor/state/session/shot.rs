@@ -704,7 +704,8 @@ pub(crate) mod tests {
 
     const LOOK: &str = r#"{"chiaro": "look", "nodes": [{"id": "base", "kind": "base"},
         {"id": "layer", "kind": "light_layer"}, {"id": "output", "kind": "output"}],
-        "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"#;
+        "wires": [{"from": "base", "to": "layer.below"},
+            {"from": "layer", "to": "output.color"}]}"#;
 
     /// Puts a scene of one ball, and a shot of twelve frames over it with these overrides, into a
     /// folder; returns the path of the shot.
