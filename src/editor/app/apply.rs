@@ -131,10 +131,7 @@ impl App {
             | Command::ExportLook(..)
             | Command::CopyPicture
             | Command::CopyWgsl) => self.export(ui, command),
-            Command::ShowReference(Some(path)) => self.show_reference(&path),
-            Command::ShowReference(None) => {
-                self.dialogs.ask(FilePurpose::Reference, self.session.path());
-            }
+            Command::ShowReference(path) => self.show_or_ask_reference(path.as_deref()),
             Command::AskImage(target) => self.ask_for_image(target),
             Command::TakeImage(path) => self.take_image(&path),
             Command::Display(command) => self.apply_to_display(command),
@@ -179,6 +176,14 @@ impl App {
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::ReadNotes => self.session.read_notes(),
             Command::Tell(text) => self.message = Some(text),
+        }
+    }
+
+    /// Compares with a picture, or asks which.
+    fn show_or_ask_reference(&mut self, picture: Option<&Path>) {
+        match picture {
+            Some(path) => self.show_reference(path),
+            None => self.dialogs.ask(FilePurpose::Reference, self.session.path()),
         }
     }
 

@@ -127,21 +127,27 @@ mod tests {
         BarPlan::new(&WIDTHS, 5.0, room, rows, 15.0)
     }
 
+    /// The plan whose rows end before these parts.
+    fn ending(ends: &[usize], shown: usize) -> BarPlan {
+        let starts = std::iter::once(&0).chain(ends);
+        BarPlan { rows: starts.zip(ends).map(|(&start, &end)| start..end).collect(), shown }
+    }
+
     #[test]
     fn a_bar_with_room_has_all_its_parts_and_no_menu() {
-        assert_eq!(plan(165.0, 1), BarPlan { rows: vec![0..4], shown: 4 });
-        assert_eq!(plan(95.0, 2), BarPlan { rows: vec![0..2, 2..4], shown: 4 });
-        assert_eq!(BarPlan::new(&[], 5.0, 0.0, 1, 15.0), BarPlan { rows: vec![0..0], shown: 0 });
+        assert_eq!(plan(165.0, 1), ending(&[4], 4));
+        assert_eq!(plan(95.0, 2), ending(&[2, 4], 4));
+        assert_eq!(BarPlan::new(&[], 5.0, 0.0, 1, 15.0), ending(&[0], 0));
     }
 
     #[test]
     fn the_last_parts_go_first_and_the_menu_has_room_after_the_others() {
         // 60 + 5 + 30 + 5 + 40 would fit, but not with the button after them.
-        assert_eq!(plan(150.0, 1), BarPlan { rows: vec![0..3], shown: 2 });
-        assert_eq!(plan(115.0, 1), BarPlan { rows: vec![0..3], shown: 2 });
-        assert_eq!(plan(114.0, 1), BarPlan { rows: vec![0..2], shown: 1 });
-        assert_eq!(plan(10.0, 1), BarPlan { rows: vec![0..1], shown: 0 });
-        assert_eq!(plan(80.0, 2), BarPlan { rows: vec![0..1, 1..3], shown: 2 });
+        assert_eq!(plan(150.0, 1), ending(&[3], 2));
+        assert_eq!(plan(115.0, 1), ending(&[3], 2));
+        assert_eq!(plan(114.0, 1), ending(&[2], 1));
+        assert_eq!(plan(10.0, 1), ending(&[1], 0));
+        assert_eq!(plan(80.0, 2), ending(&[1, 3], 2));
     }
 
     #[test]
