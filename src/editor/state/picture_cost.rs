@@ -1,6 +1,7 @@
 //! Cost of the picture that was drawn last: its time, its passes, and the shares of its layers.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
 
@@ -39,7 +40,7 @@ pub(crate) struct PictureCost {
     pub(crate) milliseconds: Option<f64>,
     pub(crate) passes: Vec<DrawnPass>,
     /// Operations that are counted in a fragment for each node of the look's own graph.
-    pub(crate) operations: BTreeMap<NodeId, u64>,
+    pub(crate) operations: Arc<BTreeMap<NodeId, u64>>,
 }
 
 impl PictureCost {
@@ -88,13 +89,6 @@ impl PictureCost {
             None => format!("{percent:.0} %"),
         }
     }
-
-    /// Share of the counted operations that a node has, 0 to 1.
-    pub(crate) fn share(&self, id: &NodeId) -> f64 {
-        let all: u64 = self.operations.values().sum();
-        let own = self.operations.get(id).copied().unwrap_or(0);
-        if all > 0 { own as f64 / all as f64 } else { 0.0 }
-    }
 }
 
 /// A time in milliseconds, with as many digits as mean something.
@@ -111,12 +105,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cost_is_told_in_few_words_and_shares_add_up() {
+    fn a_cost_is_told_in_few_words() {
         let mut cost = PictureCost::default();
-        for (id, operations) in [("rim", 30), ("base", 10)] {
-            cost.operations.insert(id.into(), operations);
-        }
-        assert_eq!((cost.share(&"rim".into()), cost.share(&"no".into())), (0.75, 0.0));
+        assert_eq!(cost.share_text(0.25), "25 %");
         let pass = |id| DrawnPass { id, reason: "`a` reads it".to_owned(), is_kept: true };
         cost.passes = vec![pass(PassId::LOOK)];
         assert_eq!(cost.short(), "1 pass");
@@ -124,6 +115,7 @@ mod tests {
         assert_eq!(cost.passes[0].words(), "\"a\" reads it (kept from before: no time)");
         cost.milliseconds = Some(4.16);
         assert_eq!(cost.short(), "4.2 ms · 1 pass");
+        assert_eq!(cost.share_text(0.25), "25 %, some 1.0 ms");
         assert_eq!((time_text(0.125), time_text(31.6)), ("0.12 ms".into(), "32 ms".into()));
     }
 }

@@ -473,7 +473,7 @@ struct CountedShader {
     shader: Arc<CompiledShader>,
     /// Number of the picture's passes, which nodes may be a part of.
     passes: usize,
-    operations: BTreeMap<NodeId, u64>,
+    operations: Arc<BTreeMap<NodeId, u64>>,
 }
 
 impl PictureRenderer {
@@ -482,13 +482,13 @@ impl PictureRenderer {
         &mut self,
         shader: &Arc<CompiledShader>,
         plan: &FramePlan,
-    ) -> BTreeMap<NodeId, u64> {
+    ) -> Arc<BTreeMap<NodeId, u64>> {
         let passes = plan.passes.len();
         let is_it = |of: &CountedShader| Arc::ptr_eq(&of.shader, shader) && of.passes == passes;
         let counted = self.counted.take().filter(is_it).unwrap_or_else(|| CountedShader {
             shader: shader.clone(),
             passes,
-            operations: PictureCost::counted(&effects(plan, self.renderer.done())),
+            operations: Arc::new(PictureCost::counted(&effects(plan, self.renderer.done()))),
         });
         self.counted.insert(counted).operations.clone()
     }

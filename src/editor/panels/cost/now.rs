@@ -136,7 +136,8 @@ fn shares(
     (cost, owners): (&PictureCost, &LayerOwners),
     out: &mut Vec<Command>,
 ) {
-    let shares = owners.shares(cost).into_iter().filter(|share| share.share >= LEAST_SHARE);
+    let shares =
+        owners.shares(&cost.operations).into_iter().filter(|share| share.share >= LEAST_SHARE);
     let shares: Vec<LayerShare> = shares.take(MOST_LAYERS).collect();
     if shares.is_empty() {
         return;

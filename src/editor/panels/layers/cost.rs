@@ -1,6 +1,7 @@
 //! Cost of a layer at the end of its row, from the picture that was just drawn.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 
 use chiaro_locale::tr;
 use eframe::egui::{Align2, FontId, Rect, Role, Sense, Ui, WidgetInfo, pos2};
@@ -15,10 +16,12 @@ use crate::widgets::theme;
 const WIDTH: f32 = 32.0;
 const LEAST_NAME: f32 = 40.0;
 
-/// Costs of a look's layers in a picture.
-pub(super) struct LayerCosts<'c> {
-    cost: &'c PictureCost,
-    /// Shares of the picture's time, 0 to 1.
+/// Shares of a look's layers in the time of the picture that was just drawn.
+#[derive(Default)]
+pub(super) struct LayerShares {
+    /// Operations that the shares were found in.
+    of: Option<Arc<BTreeMap<NodeId, u64>>>,
+    /// Shares of layers, 0 to 1.
     shares: HashMap<NodeId, f64>,
 }
 
@@ -30,23 +33,39 @@ pub(super) struct LayerCost<'c> {
     share: f64,
 }
 
-impl<'c> LayerCosts<'c> {
-    pub(super) fn new(cost: &'c PictureCost, owners: &LayerOwners) -> Self {
-        let one = owners.shares(cost).into_iter().filter_map(|share| match share.owner {
+impl LayerShares {
+    /// Forgets the shares, as nodes work for other layers now.
+    pub(super) fn forget(&mut self) {
+        self.of = None;
+    }
+
+    /// Finds the shares anew where the operations of a picture are others.
+    pub(super) fn update(&mut self, cost: &PictureCost, owners: &LayerOwners) {
+        if self.of.as_ref().is_some_and(|of| Arc::ptr_eq(of, &cost.operations)) {
+            return;
+        }
+        let one = owners.shares(&cost.operations).into_iter();
+        let one = one.filter_map(|share| match share.owner {
             LayerOwner::One(id) => Some((id, share.share)),
             LayerOwner::Several => None,
         });
-        Self { cost, shares: one.collect() }
+        self.shares = one.collect();
+        self.of = Some(cost.operations.clone());
     }
 
     /// Cost of a layer; of a closed folder with all that is in it.
-    pub(super) fn of(&self, tree: &LayerTree, id: &NodeId, is_closed: bool) -> LayerCost<'c> {
+    pub(super) fn cost_of<'c>(
+        &self,
+        cost: &'c PictureCost,
+        tree: &LayerTree,
+        (id, is_closed): (&NodeId, bool),
+    ) -> LayerCost<'c> {
         let share = |id: &NodeId| self.shares.get(id).copied().unwrap_or(0.0);
         let share = match is_closed {
             true => tree.with_inner(id).iter().map(share).sum(),
             false => share(id),
         };
-        LayerCost { cost: self.cost, share }
+        LayerCost { cost, share }
     }
 }
 

@@ -42,7 +42,7 @@ use crate::widgets::rows::{NameEdit, leave_with_pointer, undo_keys};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
-use cost::LayerCosts;
+use cost::LayerShares;
 use drop::DropTarget;
 use presets::PRESETS;
 pub(crate) use presets::{LayerPreset, preset_parts};
@@ -71,6 +71,7 @@ pub(crate) struct Layers {
     of: Option<(DocumentNumber, LookRevision)>,
     tree: LayerTree,
     owners: LayerOwners,
+    shares: LayerShares,
     /// Layers that are listed.
     rows: Vec<TreeRow>,
     /// Folders whose layers are not listed.
@@ -104,7 +105,9 @@ impl Layers {
         (thumbs, cost): (&Thumbs, Option<&PictureCost>),
     ) -> Vec<Command> {
         self.sync(session);
-        let costs = cost.map(|cost| LayerCosts::new(cost, &self.owners));
+        if let Some(cost) = cost {
+            self.shares.update(cost, &self.owners);
+        }
         let mut out = Vec::new();
         self.bar(ui, session, &mut out);
         if !session.view.solo.layers.is_empty() {
@@ -140,7 +143,7 @@ impl Layers {
                 match self.rows.get(index).cloned() {
                     Some(row) => {
                         let rect = rect_of(index, row.depth, ui);
-                        let shown = (thumbs, costs.as_ref());
+                        let shown = (thumbs, cost);
                         rows.push((index, self.layer(ui, rect, session, shown, &row, &mut out)));
                     }
                     None => self.ground(ui, rect_of(index, 0, ui), session, thumbs, &mut out),
@@ -188,6 +191,7 @@ impl Layers {
             self.of = Some(of);
             self.tree = LayerTree::of(session.look(), &session.project.catalog);
             self.owners = LayerOwners::of(session.look(), &self.tree);
+            self.shares.forget();
             self.dragged.retain(|id| self.tree.contains(id));
             self.closed.retain(|id| self.tree.is_folder(id));
             self.list();
@@ -259,7 +263,7 @@ impl Layers {
         ui: &mut Ui,
         rect: Rect,
         session: &Session,
-        (thumbs, costs): (&Thumbs, Option<&LayerCosts<'_>>),
+        (thumbs, cost): (&Thumbs, Option<&PictureCost>),
         row: &TreeRow,
         out: &mut Vec<Command>,
     ) -> Response {
@@ -277,7 +281,7 @@ impl Layers {
         let is_closed = self.closed.contains(id);
         let folder = row.is_folder.then_some(FolderRow { is_closed });
         let (rows, tree) = (&self.rows[..], &self.tree);
-        let cost = costs.map(|costs| costs.of(tree, id, is_closed));
+        let cost = cost.map(|cost| self.shares.cost_of(cost, tree, (id, is_closed)));
         let shown_row = Row { session, id, node, kind, tree, rows, acting: &acting, folder, cost };
         let mode = shown_row.mode().unwrap_or_else(|| match row.is_folder {
             true => "alpha".to_owned(),

@@ -1,12 +1,11 @@
 //! Layers that nodes work for: a node that feeds one layer counts for that layer, with all that
 //! feeds the node. What feeds several layers is shared.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use super::tree::LayerTree;
 use crate::document::Look;
 use crate::ids::NodeId;
-use crate::state::picture_cost::PictureCost;
 
 /// Layer that a node works for.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -60,13 +59,15 @@ impl LayerOwners {
         Self { of: owners }
     }
 
-    /// Shares of all owners in a picture's operations, the largest first.
-    pub(crate) fn shares(&self, cost: &PictureCost) -> Vec<LayerShare> {
-        let mut nodes: Vec<&NodeId> = cost.operations.keys().collect();
-        nodes.sort_by_key(|id| std::cmp::Reverse(cost.operations[*id]));
+    /// Shares of all owners in the operations that are counted for nodes, the largest first.
+    pub(crate) fn shares(&self, operations: &BTreeMap<NodeId, u64>) -> Vec<LayerShare> {
+        let all = operations.values().sum::<u64>().max(1) as f64;
+        let mut nodes: Vec<(&NodeId, u64)> =
+            operations.iter().map(|(id, &count)| (id, count)).collect();
+        nodes.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
         let mut places: HashMap<LayerOwner, usize> = HashMap::new();
         let mut shares: Vec<LayerShare> = Vec::new();
-        for id in nodes {
+        for (id, count) in nodes {
             let itself = || LayerOwner::One(id.clone());
             let owner = self.of.get(id).cloned().unwrap_or_else(itself);
             let place = *places.entry(owner.clone()).or_insert_with(|| {
@@ -74,7 +75,7 @@ impl LayerOwners {
                 shares.len() - 1
             });
             shares[place].nodes.push(id.clone());
-            shares[place].share += cost.share(id);
+            shares[place].share += count as f64 / all;
         }
         shares.sort_by(|a, b| b.share.total_cmp(&a.share));
         shares
@@ -105,8 +106,7 @@ mod tests {
         let mut catalog = Catalog::new(Library::built_in());
         catalog.sync(&look, Library::built_in());
         let owners = LayerOwners::of(&look, &LayerTree::of(&look, &catalog));
-        let mut cost = PictureCost::default();
-        for (id, operations) in [
+        let operations = [
             ("low", 10),
             ("disc", 20),
             ("bite", 30),
@@ -114,10 +114,9 @@ mod tests {
             ("both", 15),
             ("deep", 15),
             ("loose", 5),
-        ] {
-            cost.operations.insert(id.into(), operations);
-        }
-        let shares = owners.shares(&cost);
+        ];
+        let operations = operations.map(|(id, count)| (id.into(), count)).into();
+        let shares = owners.shares(&operations);
         let told: Vec<_> = shares
             .iter()
             .map(|share| (share.owner.clone(), share.nodes.len(), share.share))
