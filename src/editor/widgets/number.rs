@@ -12,6 +12,7 @@ use std::rc::Rc;
 
 use chiaro_locale::tr;
 use eframe::egui::emath::{Numeric, format_with_decimals_in_range};
+use eframe::egui::response::Flags;
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{
     Context, DragValue, Id, Key, Response, Slider, SliderClamping, TextEdit, Ui, Widget,
@@ -38,7 +39,7 @@ pub(crate) fn number_field_as<'a, N: Numeric>(
     write: impl Fn(f64, RangeInclusive<usize>) -> String + 'a,
     read: impl Fn(&str) -> Option<f64> + 'a,
 ) -> NumberField<'a> {
-    let typing = Typing::new(ui, number, read);
+    let typing = NumberInput::new(ui, number, read);
     let own = Rc::clone(&typing);
     #[expect(clippy::disallowed_methods, reason = "this is the field that all others are")]
     let field = DragValue::from_get_set(move |number| own.number(number));
@@ -61,7 +62,7 @@ pub(crate) fn number_slider<'a, N: Numeric>(
     number: &'a mut N,
     range: RangeInclusive<N>,
 ) -> NumberSlider<'a> {
-    let typing = Typing::new(ui, number, read);
+    let typing = NumberInput::new(ui, number, read);
     let range = range.start().to_f64()..=range.end().to_f64();
     typing.range.set(Some([*range.start(), *range.end()]));
     let own = Rc::clone(&typing);
@@ -82,7 +83,7 @@ pub(crate) fn number_slider<'a, N: Numeric>(
 /// Field for a number, with its options.
 pub(crate) struct NumberField<'a> {
     field: DragValue<'a>,
-    typing: Rc<Typing<'a>>,
+    typing: Rc<NumberInput<'a>>,
 }
 
 impl NumberField<'_> {
@@ -141,7 +142,7 @@ impl Widget for NumberField<'_> {
 /// Slider for a number, with its options.
 pub(crate) struct NumberSlider<'a> {
     slider: Slider<'a>,
-    typing: Rc<Typing<'a>>,
+    typing: Rc<NumberInput<'a>>,
 }
 
 impl<'a> NumberSlider<'a> {
@@ -207,7 +208,7 @@ impl<'a> NumberSlider<'a> {
 impl Widget for NumberSlider<'_> {
     fn ui(self, ui: &mut Ui) -> Response {
         let id = ui.next_auto_id();
-        if Refused::of(ui, id).is_none() {
+        if RefusedText::of(ui, id).is_none() {
             let response = ui.add(self.slider);
             self.typing.tell(ui, id);
             return response;
@@ -223,7 +224,7 @@ impl Widget for NumberSlider<'_> {
 
 /// A text that is no number and stays in its field.
 #[derive(Clone, Debug)]
-struct Refused {
+struct RefusedText {
     text: String,
     /// Number of the field, which another number makes outdated.
     number: f64,
@@ -233,7 +234,7 @@ struct Refused {
     wants_keyboard: bool,
 }
 
-impl Refused {
+impl RefusedText {
     /// The text that stays in the field of an id, which was shown in the frame before.
     fn of(ui: &Ui, id: Id) -> Option<Self> {
         let frame = ui.ctx().cumulative_frame_nr();
@@ -242,9 +243,9 @@ impl Refused {
     }
 }
 
-/// What came of a typed text, where that is to be told.
+/// Verdict on a typed text, where there is something to tell.
 #[derive(Debug)]
-enum Outcome {
+enum InputVerdict {
     /// The text is no number.
     Refused(String),
     /// The number was beyond the range, whose end is told of.
@@ -253,17 +254,17 @@ enum Outcome {
 
 /// Both directions between a number and its text. A text that says no more than the one that the
 /// field showed, or that is given up, is read as no number.
-struct Typing<'a> {
+struct NumberInput<'a> {
     number: RefCell<NumberAccess<'a>>,
     read: NumberReader<'a>,
     shown: RefCell<String>,
     unit: RefCell<String>,
     range: Cell<Option<[f64; 2]>>,
-    outcome: RefCell<Option<Outcome>>,
+    outcome: RefCell<Option<InputVerdict>>,
     is_given_up: bool,
 }
 
-impl<'a> Typing<'a> {
+impl<'a> NumberInput<'a> {
     fn new<N: Numeric>(
         ui: &Ui,
         number: &'a mut N,
@@ -313,7 +314,7 @@ impl<'a> Typing<'a> {
             return None;
         }
         let Some(number) = self.read(text) else {
-            self.outcome.replace(Some(Outcome::Refused(text.trim().to_owned())));
+            self.outcome.replace(Some(InputVerdict::Refused(text.trim().to_owned())));
             return None;
         };
         if self.read(&shown) == Some(number) {
@@ -336,7 +337,7 @@ impl<'a> Typing<'a> {
         } else {
             return number;
         };
-        self.outcome.replace(Some(Outcome::Limited(told)));
+        self.outcome.replace(Some(InputVerdict::Limited(told)));
         number.max(least).min(most)
     }
 
@@ -345,16 +346,16 @@ impl<'a> Typing<'a> {
     fn tell(&self, ui: &Ui, id: Id) {
         let text = match self.outcome.take() {
             None => return,
-            Some(Outcome::Limited(told)) => return note(ui.ctx(), told),
-            Some(Outcome::Refused(text)) if text.is_empty() => return,
-            Some(Outcome::Refused(text)) => text,
+            Some(InputVerdict::Limited(told)) => return note(ui.ctx(), told),
+            Some(InputVerdict::Refused(text)) if text.is_empty() => return,
+            Some(InputVerdict::Refused(text)) => text,
         };
         note(ui.ctx(), not_a_number(&text));
         let is_taken_by_key =
             ui.input(|input| input.key_pressed(Key::Enter) || input.key_pressed(Key::Tab));
         if is_taken_by_key {
             let (number, frame) = (self.number(None), ui.ctx().cumulative_frame_nr());
-            let refused = Refused { text, number, frame, wants_keyboard: true };
+            let refused = RefusedText { text, number, frame, wants_keyboard: true };
             ui.data_mut(|data| data.insert_temp(id.with("refused"), refused));
             ui.ctx().request_repaint();
         }
@@ -364,9 +365,9 @@ impl<'a> Typing<'a> {
     fn reopened(&self, ui: &mut Ui, id: Id) -> Option<Response> {
         let key = id.with("refused");
         let before = self.number(None);
-        let kept = Refused::of(ui, id).filter(|kept| kept.number == before);
-        ui.data_mut(|data| data.remove::<Refused>(key));
-        let Refused { mut text, wants_keyboard, .. } = kept?;
+        let kept = RefusedText::of(ui, id).filter(|kept| kept.number == before);
+        ui.data_mut(|data| data.remove::<RefusedText>(key));
+        let RefusedText { mut text, wants_keyboard, .. } = kept?;
         let field = key.with("field");
         if wants_keyboard {
             ui.memory_mut(|memory| memory.request_focus(field));
@@ -382,10 +383,12 @@ impl<'a> Typing<'a> {
             .clip_text(false)
             .min_size(ui.spacing().interact_size);
         let mut response = ui.add(edit);
+        // What is typed is no change of the number yet.
+        response.flags.set(Flags::CHANGED, false);
         if response.has_focus() {
             response.show_tooltip_text(not_a_number(&text));
             let frame = ui.ctx().cumulative_frame_nr();
-            let refused = Refused { text, number: before, frame, wants_keyboard: false };
+            let refused = RefusedText { text, number: before, frame, wants_keyboard: false };
             ui.data_mut(|data| data.insert_temp(key, refused));
             return Some(response);
         }

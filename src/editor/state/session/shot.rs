@@ -963,7 +963,8 @@ pub(crate) mod tests {
         put("look.json", LOOK);
         put(
             "scene.json",
-            r#"{"chiaro": "scene", "objects": [{"id": "ball", "looks": "look.json"}],
+            r#"{"chiaro": "scene", "objects": [
+            {"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}],
             "lights": {"kicker": {"name": "Kicker"}, "sun": {}}}"#,
         );
         let path = put(
@@ -976,6 +977,7 @@ pub(crate) mod tests {
         );
         let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
         session.open(&path).unwrap();
+        session.open(&folder.path().join("look.json")).unwrap();
         let places = |session: &Session| -> Vec<Vec<(String, String)>> {
             let lost = session.shot().unwrap().lost_changes();
             lost.iter().map(|it| session.places_of_lost(it.owner().unwrap())).collect()
