@@ -11,7 +11,7 @@ use chiaro::document::{
     TimeInterpolation, Value,
 };
 use chiaro::editor::App;
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Role, pos2, vec2};
+use eframe::egui::{Key, Pos2, Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 fn at(hand: &User, label: &str) -> Pos2 {
@@ -480,12 +480,8 @@ fn a_value_is_keyed_in_time_and_played() {
     assert_eq!(keys(&hand)[1].interpolation, TimeInterpolation::Stepped);
     // A right click on a key shapes it, too.
     let first = at(&hand, "Time key 1 of Diffuse: Opacity");
-    hand.hover(first);
-    for pressed in [true, false] {
-        let (button, modifiers) = (PointerButton::Secondary, Modifiers::NONE);
-        hand.harness.event(Event::PointerButton { pos: first, button, pressed, modifiers });
-        hand.settle();
-    }
+    hand.right_click(first);
+    hand.settle();
     click(&mut hand, "Straight");
     assert_eq!(keys(&hand)[0].interpolation, TimeInterpolation::Linear);
     hand.undo();

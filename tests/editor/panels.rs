@@ -679,12 +679,16 @@ fn the_menu_of_a_layer_copies_and_pastes_it() {
 /// The menu of a value opens on its label and on all that sets it.
 #[test]
 fn the_menu_of_a_value_opens_anywhere_on_its_row() {
-    let mut hand = User::new();
-    hand.press("Layer Diffuse");
     for widget in ["number", "slider", "swatch"] {
+        let mut hand = User::new();
+        hand.press("Layer Diffuse");
+        let before = hand.look().clone();
+        if widget != "swatch" {
+            hand.bring(eframe::egui::accesskit::Role::Button, "Keys of Opacity");
+        }
         let place = match widget {
-            "number" => hand.number_field("Offset"),
-            "slider" => hand.slider("Offset"),
+            "number" => hand.number_field("Opacity"),
+            "slider" => hand.slider("Opacity"),
             _ => hand.swatch("Convex color"),
         };
         assert!(!hand.has("Variations..."));
@@ -692,5 +696,6 @@ fn the_menu_of_a_value_opens_anywhere_on_its_row() {
         assert!(hand.has("Variations..."), "the {widget} has no menu");
         hand.key(Key::Escape);
         hand.settle();
+        assert_eq!(*hand.look(), before, "the {widget} takes no value from a right click");
     }
 }

@@ -678,7 +678,7 @@ fn number(hand: &User, label: &str) -> f64 {
 fn another_name_of_a_varied_value_brings_ends_of_its_own() {
     let home = Home::new();
     let mut hand = opened(&home, "shot.json");
-    command(&mut hand, "Panel: Wedge");
+    command(&mut hand, "Wedge: try values side by side...");
     hand.press("Add a value");
     hand.type_text("sun intensity");
     hand.key(Key::Enter);

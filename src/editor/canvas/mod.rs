@@ -217,10 +217,13 @@ impl Canvas {
     }
 
     /// Brings new nodes into view where one of them is selected, as after pasting: these are the
-    /// artist's, while others come back by undo.
+    /// artist's, while others come back by undo. A node whose head is seen stays where it was
+    /// dropped.
     fn show_added(&mut self, session: &Session) {
         let added = || self.table.added.iter().map(|&index| &self.table.nodes[index]);
-        if added().any(|row| session.selection.nodes.contains(&row.id)) {
+        let seen = self.view.visible();
+        let is_away = added().any(|row| !seen.contains(row.rect.min));
+        if is_away && added().any(|row| session.selection.nodes.contains(&row.id)) {
             self.view.include(edits::around(added().map(|row| row.rect)));
         }
     }

@@ -22,7 +22,7 @@ const MOST_SHEETS: usize = 4;
 pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     ScrollArea::vertical().auto_shrink([false, false]).id_salt("begin to paint").show(ui, |ui| {
         ui.vertical_centered(|ui| {
-            ui.set_max_width(460.0);
+            ui.set_max_width(ui.available_width().min(460.0));
             ui.add_space(ui.available_height() * 0.06);
             of_look(ui, session, out);
             anew(ui, out);
@@ -31,7 +31,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 }
 
 fn wide(ui: &mut Ui, label: &str) -> Response {
-    ui.add_sized([400.0, 30.0], Button::new(label))
+    ui.add_sized([ui.available_width().min(400.0), 30.0], Button::new(label).truncate())
 }
 
 /// HCBTF that the open look shows, and that is not open to be painted.

@@ -68,5 +68,8 @@ pub(super) fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
     text.halign = egui::Align::Center;
     let text = ui.painter().layout_job(text);
     let at = rect.center_bottom() - vec2(0.0, 12.0 + text.size().y);
-    ui.painter().galley(at, text, dim);
+    // A picture that is lower than the text is one of a few pixels: the bars around it go first.
+    if at.y >= rect.top() {
+        ui.painter().galley(at, text, dim);
+    }
 }

@@ -748,11 +748,14 @@ impl BackgroundJobs for Viewport {
 }
 
 /// Shows the rows of controls of the tools. Where they would leave the picture less than its least
-/// height, they scroll.
+/// height, they scroll, and where not even one row has room beside the picture, they are not shown.
 fn tool_bars(ui: &mut Ui, session: &Session, tools: &mut PictureTools) {
     let key = ui.scope_id().with("height of the rows of the tools");
     let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
-    let most = (ui.available_height() - LEAST_PICTURE).max(row);
+    let most = ui.available_height() - LEAST_PICTURE;
+    if most < row {
+        return;
+    }
     // The height is that of the frame before.
     let known: f32 = ui.data(|data| data.get_temp(key)).unwrap_or_default();
     let height = if known > most {

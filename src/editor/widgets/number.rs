@@ -15,7 +15,8 @@ use eframe::egui::emath::{Numeric, format_with_decimals_in_range};
 use eframe::egui::response::Flags;
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{
-    Context, DragValue, Id, Key, Response, Slider, SliderClamping, TextEdit, Ui, Widget,
+    Context, DragValue, Id, Key, PointerButton, Response, Slider, SliderClamping, TextEdit, Ui,
+    Widget,
 };
 
 pub(crate) use super::number_text::read;
@@ -270,8 +271,14 @@ impl<'a> NumberInput<'a> {
         number: &'a mut N,
         read: impl Fn(&str) -> Option<f64> + 'a,
     ) -> Rc<Self> {
+        // A right click opens the menu of a value; egui's slider would take its place for a drag.
+        let is_of_menu = ui.input(|input| {
+            let (right, left) = (PointerButton::Secondary, PointerButton::Primary);
+            (input.pointer.button_down(right) || input.pointer.button_released(right))
+                && !input.pointer.button_down(left)
+        });
         let access = move |new: Option<f64>| {
-            if let Some(new) = new {
+            if let Some(new) = new.filter(|_| !is_of_menu) {
                 *number = N::from_f64(new);
             }
             number.to_f64()
