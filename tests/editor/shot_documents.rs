@@ -339,7 +339,10 @@ fn an_edge_that_the_shot_changes_is_named_and_reset_as_one() {
     let (changed, steps) = (shot(&hand).overrides.len(), hand.steps());
     assert_eq!(changed, 5);
     front(&mut hand, "Shot");
-    assert!(hand.says("Edge and softness (Cut-off)"), "{:?}", hand.names());
+    // Long names are shortened at their ends, so that the angle comes first.
+    for angle in ["Offset", "Fall-off", "Cut-off"] {
+        assert!(hand.says(&format!("Light layer: {angle} (edge")), "{:?}", hand.names());
+    }
     assert!(hand.says("set to 80.2°"), "in degrees, as fields have it: {:?}", hand.names());
     front(&mut hand, "Inspector");
     hand.bring(Role::Button, "Keys of Edge");

@@ -146,7 +146,7 @@ impl<'s> ChangedValue<'s> {
 /// Label of a value of the open look as fields show it: angles of one edge with the edge's name.
 fn seen_as(session: &Session, target: &Target, label: String) -> String {
     match edge::is_of_edge(session, target) {
-        true => tr!("Edge and softness ({angle})", angle = label),
+        true => tr!("{angle} (edge and softness)", angle = label),
         false => label,
     }
 }
