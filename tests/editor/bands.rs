@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use eframe::egui::{Pos2, vec2};
 
 use crate::editor_support::User;
-use chiaro::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, Ramp, Target, Value};
+use chiaro::document::{DirectionKey, Ramp, Target, Value};
 
 fn ramp(hand: &User, node: &str) -> Ramp {
     match hand.look().graph.nodes[node].values.get("bands") {
@@ -133,21 +133,7 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
 fn is_keyed_by_view(hand: &mut User) {
     let target = Target::parse("cut_highlight.turn").expect("a target");
     let own = number(hand, "cut_highlight", "turn");
-    let key = |direction: [f64; 3]| DirectionKey {
-        direction,
-        values: [(target.clone(), Value::Number(0.0))].into_iter().collect(),
-        unknown: Default::default(),
-    };
-    let keys = DirectionKeys {
-        name: "Seen from aside".to_owned(),
-        by: KeyDirection::View,
-        scheme: Default::default(),
-        keys: vec![key([0.0, 0.0, 1.0]), key([1.0, 0.0, 0.0])],
-        unknown: Default::default(),
-    };
-    let edit = Edit::AddDirectionKeys { keys, index: None };
-    hand.app_mut().session_mut().apply(edit, None).unwrap();
-    hand.settle();
+    hand.key_by_view(&target, 0.0);
     let at = |hand: &User, label| hand.app().viewport().highlight_handle(label).expect(label);
     let (turn, middle) = (at(hand, "Turn"), at(hand, "Move"));
     let arm = turn - middle;

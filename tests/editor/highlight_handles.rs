@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use chiaro::document::{DirectionKey, DirectionKeys, Edit, GraphId, KeyDirection, Target, Value};
+use chiaro::document::{DirectionKey, Edit, GraphId, Target, Value};
 use eframe::egui::{Key, Pos2, Vec2, vec2};
 use egui_kittest::kittest::Queryable as _;
 
@@ -168,21 +168,7 @@ fn handles_of_shapes_tell_what_they_do_and_go_by_arrow_keys() {
 fn a_shape_that_is_keyed_by_the_view_is_set_in_its_key() {
     let mut hand = on_ball();
     let target = Target::parse("cut_highlight.square").expect("a target");
-    let key = |direction: [f64; 3]| DirectionKey {
-        direction,
-        values: [(target.clone(), Value::Number(0.2))].into_iter().collect(),
-        unknown: Default::default(),
-    };
-    let keys = DirectionKeys {
-        name: "Seen from aside".to_owned(),
-        by: KeyDirection::View,
-        scheme: Default::default(),
-        keys: vec![key([0.0, 0.0, 1.0]), key([1.0, 0.0, 0.0])],
-        unknown: Default::default(),
-    };
-    let edit = Edit::AddDirectionKeys { keys, index: None };
-    hand.app_mut().session_mut().apply(edit, None).unwrap();
-    hand.settle();
+    hand.key_by_view(&target, 0.2);
     let (own, steps) = (number(&hand, "square"), hand.steps());
     pull(&mut hand, "Square", 30.0);
     let square_of = |key: &DirectionKey| match key.values[&target] {

@@ -125,15 +125,19 @@ fn every_text_of_the_window_is_looked_up() {
     assert!(found.is_empty(), "{} texts:\n{}", found.len(), Vec::from_iter(found).join("\n"));
 }
 
+fn speak_german() {
+    let mut settings = Settings::default();
+    settings.language = Some("de".to_owned());
+    settings.speak();
+    assert_eq!(chiaro_locale::tr("Layers"), "Ebenen");
+}
+
 #[test]
 fn german_panels_have_room() {
     if !is_alone("german_panels_have_room") {
         return;
     }
-    let mut settings = Settings::default();
-    settings.language = Some("de".to_owned());
-    settings.speak();
-    assert_eq!(chiaro_locale::tr("Layers"), "Ebenen");
+    speak_german();
     let home = Home::new();
     let mut hand = opened(&home);
     hand.app_mut().session_mut().select(vec!["layer".into()]);
@@ -146,9 +150,7 @@ fn german_buttons_have_room_in_a_small_window_at_twice_the_scale() {
     if !is_alone("german_buttons_have_room_in_a_small_window_at_twice_the_scale") {
         return;
     }
-    let mut settings = Settings::default();
-    settings.language = Some("de".to_owned());
-    settings.speak();
+    speak_german();
     let home = Home::new();
     let mut hand = opened(&home);
     let buttons = ["Optionen", "Ebene hinzufügen", "Kopieren"];
@@ -213,9 +215,7 @@ fn german_values_of_wires_lie_within_the_canvas() {
     if !is_alone("german_values_of_wires_lie_within_the_canvas") {
         return;
     }
-    let mut settings = Settings::default();
-    settings.language = Some("de".to_owned());
-    settings.speak();
+    speak_german();
     let home = Home::new();
     let mut hand = opened(&home);
     let found = cut_readings(&mut hand);

@@ -51,6 +51,14 @@ fn command(hand: &mut User, words: &str) {
     hand.settle();
 }
 
+/// Shows the timeline by its entry of *View*.
+fn show_timeline(hand: &mut User) {
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+}
+
 fn read(path: &PathBuf) -> String {
     std::fs::read_to_string(path).unwrap()
 }
@@ -59,10 +67,7 @@ fn read(path: &PathBuf) -> String {
 fn markers_are_the_shots_and_those_under_it_are_seen() {
     let home = Home::new();
     let mut hand = opened(&home, "shot.json");
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Timeline");
-    let nothing = hand.empty_place();
-    hand.click(nothing);
+    show_timeline(&mut hand);
     // Those of the files lead there, and are not moved.
     let door = hand.place_of(Role::Link, "Marker door of the scene scene.json").center();
     hand.click(door);
@@ -439,10 +444,7 @@ fn the_camera_of_a_file_has_a_track_and_becomes_keys_of_the_shot() {
     assert_ne!(before[0].eye, before[8].eye, "the file moves it");
     let mut hand = home.window(Some(&home.file("shot.json")));
     hand.settle();
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Timeline");
-    let nothing = hand.empty_place();
-    hand.click(nothing);
+    show_timeline(&mut hand);
     hand.settle();
     assert!(hand.has("Track in sprout.glb: camera shot"));
     assert!(hand.has("Track in sprout.glb: clip sway of sprout"));
@@ -472,10 +474,7 @@ fn the_camera_of_a_file_has_a_track_and_becomes_keys_of_the_shot() {
 fn the_timeline_of_a_shot_counts_frames() {
     let home = Home::new();
     let mut hand = opened(&home, "shot.json");
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Timeline");
-    let nothing = hand.empty_place();
-    hand.click(nothing);
+    show_timeline(&mut hand);
     assert!(!hand.has("Frame rate"), "the shot has a rate of its own");
     let frame = hand.fields_called("Frame at the playhead")[0];
     hand.type_over(frame, "36");
@@ -574,10 +573,7 @@ fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
     hand.settle();
     assert!(targets(&hand).is_empty(), "one step");
     hand.app_mut().session_mut().select_object(Some("ball".into()));
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Timeline");
-    let nothing = hand.empty_place();
-    hand.click(nothing);
+    show_timeline(&mut hand);
     hand.settle();
     hand.press("Key a value");
     hand.bring(Role::Button, "ball: Place");
@@ -591,10 +587,7 @@ fn a_kept_view_moves_the_eye_alone_and_an_object_is_keyed_from_the_list() {
 fn what_is_typed_over_a_list_of_values_searches_the_list() {
     let home = Home::new();
     let mut hand = opened(&home, "shot.json");
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Timeline");
-    let nothing = hand.empty_place();
-    hand.click(nothing);
+    show_timeline(&mut hand);
     let canvas = hand.empty_place();
     hand.press("Key a value");
     // The pointer stays over the canvas, whose single keys are m and i, too.
@@ -620,10 +613,7 @@ fn lights_of_a_look_that_the_scene_replaces_are_not_offered() {
     write(&home, &[("look.json", &look), ("scene.json", SCENE), ("shot.json", SHOT)]);
     let mut hand = home.window(Some(&home.file("shot.json")));
     hand.settle();
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Timeline");
-    let nothing = hand.empty_place();
-    hand.click(nothing);
+    show_timeline(&mut hand);
     hand.press("Key a value");
     hand.type_text("direction");
     hand.settle();
@@ -639,10 +629,7 @@ fn lights_of_a_look_that_the_scene_replaces_are_not_offered() {
 fn the_timeline_has_the_frames_and_the_rate_of_the_shot_after_undo_too() {
     let home = Home::new();
     let mut hand = opened(&home, "shot.json");
-    hand.press("View");
-    hand.press_a(Role::CheckBox, "Timeline");
-    let nothing = hand.empty_place();
-    hand.click(nothing);
+    show_timeline(&mut hand);
     hand.settle();
     assert_eq!(range(&hand), [0.0, 48.0]);
     hand.app_mut().session_mut().set_time(0.5);

@@ -1,5 +1,6 @@
 //! Actions of a simulated user by the names that everybody sees and that screen readers tell.
 
+use chiaro::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, Target, Value};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, pos2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -11,6 +12,25 @@ use super::User;
 const BOTTOM: f32 = 858.0;
 
 impl User {
+    /// Keys a number by the view: at the front and from aside, both times to the same.
+    pub(crate) fn key_by_view(&mut self, target: &Target, number: f64) {
+        let key = |direction: [f64; 3]| DirectionKey {
+            direction,
+            values: [(target.clone(), Value::Number(number))].into_iter().collect(),
+            unknown: Default::default(),
+        };
+        let keys = DirectionKeys {
+            name: "Seen from aside".to_owned(),
+            by: KeyDirection::View,
+            scheme: Default::default(),
+            keys: vec![key([0.0, 0.0, 1.0]), key([1.0, 0.0, 0.0])],
+            unknown: Default::default(),
+        };
+        let edit = Edit::AddDirectionKeys { keys, index: None };
+        self.app_mut().session_mut().apply(edit, None).unwrap();
+        self.settle();
+    }
+
     /// Rectangle of the first widget of this name.
     #[track_caller]
     pub(crate) fn place(&self, label: &str) -> Rect {
