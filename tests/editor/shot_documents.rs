@@ -340,7 +340,7 @@ fn an_edge_that_the_shot_changes_is_named_and_reset_as_one() {
     assert_eq!(changed, 5);
     front(&mut hand, "Shot");
     // Long names are shortened at their ends, so that the angle comes first.
-    for angle in ["Offset", "Fall-off", "Cut-off"] {
+    for angle in ["Fall-off", "Cut-off"] {
         assert!(hand.says(&format!("Light layer: {angle} (edge")), "{:?}", hand.names());
     }
     assert!(hand.says("set to 80.2°"), "in degrees, as fields have it: {:?}", hand.names());
