@@ -191,10 +191,15 @@ impl App {
                 file = path.display()
             ));
         }
+        self.tell_besides(&told);
+        Ok(())
+    }
+
+    /// Adds words on a document's files to what is told of its saving.
+    pub(super) fn tell_besides(&mut self, told: &[String]) {
         if let Some(message) = &mut self.message {
             told.iter().for_each(|told| *message += &format!(" · {told}"));
         }
-        Ok(())
     }
 
     /// Reports the result of saving a document to a file, and returns it.

@@ -402,9 +402,7 @@ impl App {
             self.message =
                 Some(tr!("Saved {file}, and its look {look} beside it", file = path.display()));
         }
-        if let Some(message) = &mut self.message {
-            told.iter().for_each(|told| *message += &format!(" · {told}"));
-        }
+        self.tell_besides(&told);
         Ok(())
     }
 
